@@ -16,7 +16,7 @@
 #include "debrief/recorded.hpp"
 #include "line_abreast.hpp"
 #include "model/flight/abreast.hpp"
-#include "page/page_data.hpp"
+#include "page/page.hpp"
 #include "scenario/mission.hpp"
 #include "support/no_allocation.hpp"
 

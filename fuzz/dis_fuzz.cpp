@@ -40,10 +40,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   while (!rest.empty()) {
     const dis::Decoded read = dis::decode(rest);
     demand(read.length <= rest.size());
-    if (read.refusal == dis::Refusal::none) {
+    if (!read.refusal) {
       const auto bytes = dis::encode(read.packet);
       const dis::Decoded again = dis::decode(bytes);
-      demand(again.refusal == dis::Refusal::none && again.length == bytes.size());
+      demand(!again.refusal && again.length == bytes.size());
       demand(dis::encode(again.packet) == bytes);
     }
     if (read.length == 0)

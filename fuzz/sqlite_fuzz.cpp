@@ -14,7 +14,7 @@
 #include "core/text.hpp"
 #include "fuzz/recorded_flight.hpp"
 #include "sql/database.hpp"
-#include "tables/database.hpp"
+#include "tables/schema.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "core/version.hpp"
 #include "debrief/what_if.hpp"
 #include "model/weapon/kept_zones.hpp"
-#include "page/page_data.hpp"
+#include "page/page.hpp"
 #include "record/run_file.hpp"
 #include "scenario/plugins.hpp"
 #include "sim/trail.hpp"

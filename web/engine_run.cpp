@@ -3,7 +3,7 @@
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "debrief/what_if.hpp"
-#include "page/page_data.hpp"
+#include "page/page.hpp"
 #include "web/engine.hpp"
 
 namespace eyrie::web {

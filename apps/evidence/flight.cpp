@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  The airframes of data/ beside what is published of the aircraft.
-#include <fmt/format.h>
 
 #include "evidence.hpp"
 #include "load.hpp"

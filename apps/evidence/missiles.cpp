@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  The missiles of data/: how fast they get, and how fast they fade.
-#include <fmt/format.h>
 
 #include "evidence.hpp"
 #include "load.hpp"

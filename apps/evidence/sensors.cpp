@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  The radars of data/, jammed and not, the infrared search, and the tracker behind a radar.
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -127,7 +126,7 @@ std::pair<Plot, Plot> tracker_by_range(const track::Tracker& tracker, const sens
       .y = "NEES",
       .series = {{"as shipped", {}}, {"consistent", {}, true}}};
   const auto median = [](std::vector<double> values) {
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     return values[values.size() / 2];
   };
   for (std::size_t i = 0; i < kBins; ++i) {

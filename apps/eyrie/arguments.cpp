@@ -86,7 +86,7 @@ std::string rate(std::string& text) {
 
 std::function<std::string(const std::string&)> one_of(std::vector<std::string_view> names) {
   return [=](const std::string& text) {
-    const bool known = std::find(names.begin(), names.end(), text) != names.end();
+    const bool known = std::ranges::find(names, text) != names.end();
     return known ? std::string{}
                  : fmt::format("must be one of {}, got {}{}", fmt::join(names, ", "), quote(text),
                                did_you_mean(text, names));

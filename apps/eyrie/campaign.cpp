@@ -5,13 +5,11 @@
 #include "arguments.hpp"
 #include "campaign/parts.hpp"
 #include "campaign/ranks.hpp"
-#include "campaign_source.hpp"
-#include "campaign_text.hpp"
+#include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/text.hpp"
 #include "locate.hpp"
-#include "progress.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
@@ -55,11 +53,10 @@ Spec spec_for(const CampaignOptions& options) {
 /// the most replicates.
 std::uint64_t wide_cells(const Stopping& stop, const std::string& folder) {
   const Summary summary = read_summary(folder, stop.confidence);
-  return static_cast<std::uint64_t>(
-      std::count_if(summary.cells.begin(), summary.cells.end(), [&](const auto& cell) {
-        const auto& interval = cell.estimates[stop.measure].interval;
-        return !interval || interval->width() > stop.width;
-      }));
+  return static_cast<std::uint64_t>(std::ranges::count_if(summary.cells, [&](const auto& cell) {
+    const auto& interval = cell.estimates[stop.measure].interval;
+    return !interval || interval->width() > stop.width;
+  }));
 }
 
 /// Where the results go.

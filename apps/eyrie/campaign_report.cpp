@@ -3,21 +3,17 @@
 /// SQL.
 #include <fmt/ranges.h>
 
+#include "campaign/again.hpp"
 #include "campaign/compare.hpp"
-#include "campaign/last_decisions.hpp"
 #include "campaign/parquet.hpp"
 #include "campaign/store.hpp"
-#include "campaign/ways.hpp"
-#include "campaign_debrief.hpp"
-#include "campaign_json.hpp"
 #include "campaign_page.hpp"
-#include "campaign_text.hpp"
+#include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/units.hpp"
 #include "disk/output.hpp"
 #include "locate.hpp"
-#include "progress.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
 
@@ -159,10 +155,8 @@ int unheard(void*) {
 std::optional<std::size_t> measure_named(const std::string& name, const Summary& summary) {
   if (name.empty())
     return {};
-  std::vector<std::string_view> names;
-  for (const Measure& m : summary.measures)
-    names.push_back(m.name);
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto names = listed(summary.measures, &Measure::name);
+  const auto found = std::ranges::find(names, name);
   if (const std::string hint = did_you_mean(name, names); found == names.end())
     refuse("--of: there is no measure {}{}", quote(name),
            hint.empty() ? fmt::format(", only {}", fmt::join(names, ", ")) : hint);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign_text.hpp"
+#include "campaigns.hpp"
 
 #include "core/text.hpp"
 #include "say.hpp"
@@ -63,8 +63,7 @@ void print_comparisons(const campaign::Summary& summary,
   if (comparisons.empty())
     return;
   std::vector<campaign::Comparison> surest = comparisons;
-  std::stable_sort(surest.begin(), surest.end(),
-                   [](const auto& a, const auto& b) { return a.holm < b.holm; });
+  std::ranges::stable_sort(surest, {}, &campaign::Comparison::holm);
   std::vector<std::vector<std::string>> rows{
       {"measure", "cell", "less cell", "difference", "pairs", "p", "p (Holm)"}};
   for (std::size_t i = 0; i < std::min(surest.size(), most); ++i) {

@@ -124,8 +124,8 @@ struct DebriefOptions {
 };
 int debrief_page(const DebriefOptions& options);
 
-/// Throws disk::Failed if there is no page to put anything into.
-void demand_viewer();
+/// The page without anything in it. Throws disk::Failed if there is none.
+std::string demand_viewer();
 /// The page of one run or two, by the engine in it or (`columns`) what was recorded. "" if it was
 /// interrupted; throws disk::Failed if it cannot be.
 [[nodiscard]] std::string debrief_text(const std::vector<debrief::Recorded>& runs, bool columns);

@@ -10,8 +10,6 @@
 #include "disk/output.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"
-#include "page/page_data.hpp"
-#include "progress.hpp"
 #include "record/run_file.hpp"
 #include "say.hpp"
 
@@ -30,8 +28,8 @@ disk::FileRead viewer() {
 
 /// The engine in the page flies the run again; columns it is where that cannot be. Without data if
 /// it was interrupted.
-page::Part data_of(const debrief::Recorded& recorded, const disk::FileRead& shell, bool columns) {
-  if (!columns && recorded.plugins.empty() && page::has_engine(shell.bytes))
+page::Part data_of(const debrief::Recorded& recorded, const std::string& shell, bool columns) {
+  if (!columns && recorded.plugins.empty() && page::has_engine(shell))
     return page::run_file_part(recorded.run);
   Progress progress("seconds of the page", static_cast<std::uint64_t>(recorded.until()));
   std::string data = page::page_data(recorded, [&](double time) {
@@ -42,21 +40,22 @@ page::Part data_of(const debrief::Recorded& recorded, const disk::FileRead& shel
 }
 
 /// The page with the data of its runs. Throws disk::Failed if that cannot be.
-std::string page_of(const disk::FileRead& shell, std::vector<page::Part> parts) {
+std::string page_of(const std::string& shell, std::vector<page::Part> parts) {
   if (parts.front().type != "run")
     parts.push_back(page::part_of("zones", launch_zones()));
-  std::string page = page::page_with(shell.bytes, parts);
+  std::string page = page::page_with(shell, parts);
   if (page.empty())
-    throw disk::Failed(
-        fmt::format("{} is no debrief page of this version; build it again", viewer_file()));
+    throw disk::Failed("{} is no debrief page of this version; build it again", viewer_file());
   return page;
 }
 
 }  // namespace
 
-void demand_viewer() {
-  if (const disk::FileRead shell = viewer(); !shell.problem.empty())
+std::string demand_viewer() {
+  disk::FileRead shell = viewer();
+  if (!shell.problem.empty())
     throw disk::Failed(shell.problem);
+  return std::move(shell.bytes);
 }
 
 PageWritten write_page(const debrief::Recorded& recorded, const std::string& file) {
@@ -65,10 +64,10 @@ PageWritten write_page(const debrief::Recorded& recorded, const std::string& fil
     return {.failed = !shell.missing, .problem = shell.problem};
   try {
     disk::OutputFile out(file, false);
-    page::Part run = data_of(recorded, shell, false);
+    page::Part run = data_of(recorded, shell.bytes, false);
     if (run.data.empty())
       return {.problem = "the debrief page was interrupted; 'eyrie debrief' makes it"};
-    out.sink().write(page_of(shell, {std::move(run)}));
+    out.sink().write(page_of(shell.bytes, {std::move(run)}));
     out.commit();
     return {.written = true};
   } catch (const std::exception& e) {
@@ -77,9 +76,7 @@ PageWritten write_page(const debrief::Recorded& recorded, const std::string& fil
 }
 
 std::string debrief_text(const std::vector<debrief::Recorded>& runs, bool columns) {
-  const disk::FileRead shell = viewer();
-  if (!shell.problem.empty())
-    throw disk::Failed(shell.problem);
+  const std::string shell = demand_viewer();
   std::vector<page::Part> data;
   for (const debrief::Recorded& run : runs)
     if (!interrupted())
@@ -88,15 +85,13 @@ std::string debrief_text(const std::vector<debrief::Recorded>& runs, bool column
 }
 
 std::string live_text(const scenario::Scenario& scenario, std::uint64_t seed, bool home) {
-  const disk::FileRead shell = viewer();
-  if (!shell.problem.empty())
-    throw disk::Failed(shell.problem);
+  const std::string shell = demand_viewer();
   const std::string about = nlohmann::json{
       {"scenario", scenario.spec.name},
       {"seed", std::to_string(seed)},
       {"home", home}}.dump();
   const std::array parts{page::part_of("live", about), page::part_of("zones", launch_zones())};
-  return page::live_page(shell.bytes, parts);
+  return page::live_page(shell, parts);
 }
 
 int debrief_page(const DebriefOptions& options) {

@@ -39,9 +39,9 @@ int explain(const ExplainOptions& options) {
   }
   if (!options.to.empty() && wanted.to <= wanted.from)
     refuse("--to {}: must be after --from", quote(options.to));
-  if (!options.event.empty() &&
-      std::none_of(options.event.begin(), options.event.end(),
-                   [](unsigned char c) { return std::isalpha(c) || c >= 0x80; }))
+  if (!options.event.empty() && std::ranges::none_of(options.event, [](unsigned char c) {
+        return std::isalpha(c) || c >= 0x80;
+      }))
     refuse("--event {}: expected a word, such as break", quote(options.event));
   wanted.once = !options.at.empty();
   const bool window = !options.from.empty() || !options.to.empty();

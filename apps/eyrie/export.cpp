@@ -12,7 +12,7 @@
 #include "record/run_file.hpp"
 #include "say.hpp"
 #include "tables/csv_files.hpp"
-#include "tables/database.hpp"
+#include "tables/schema.hpp"
 
 namespace eyrie::app {
 namespace {

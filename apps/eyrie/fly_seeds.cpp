@@ -6,9 +6,9 @@
 #include "arguments.hpp"
 #include "campaign/in_order.hpp"
 #include "campaign/seed_table.hpp"
+#include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "progress.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
@@ -45,13 +45,13 @@ std::string command_for(const FlyOptions& options, std::uint64_t seed) {
 }
 
 Json json_of(const SeedFlown& flown) {
-  const auto side = [](const record::Tally::OfSide& s) {
-    return Json{{"losses", s.losses}, {"shots", s.shots}, {"kills", s.kills}, {"home", s.home}};
-  };
-  Json json{
-      {"seed", flown.seed},    {"outcome", enum_name(flown.outcome)}, {"time_s", flown.time},
-      {"steps", flown.steps},  {"hash", hash_text(flown.hash)},       {"blue", side(flown.blue)},
-      {"red", side(flown.red)}};
+  Json json{{"seed", flown.seed},
+            {"outcome", enum_name(flown.outcome)},
+            {"time_s", flown.time},
+            {"steps", flown.steps},
+            {"hash", hash_text(flown.hash)},
+            {"blue", side_json(flown.blue)},
+            {"red", side_json(flown.red)}};
   if (!flown.fault.empty())
     json["fault"] = flown.fault;
   return json;

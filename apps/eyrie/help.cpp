@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "help.hpp"
-
-#include <fmt/format.h>
+#include "line.hpp"
 
 #include <filesystem>
 #include <map>
@@ -192,47 +190,28 @@ std::string roff(std::string_view text) {
 
 /// What an argument may be, by its name; none: nobody knows.
 Names values_of(const std::string& name, std::span<char*> words) {
-  if (name == "--to") {
-    constexpr auto kFormats = enum_names<ExportFormat>();
-    return {kFormats.begin(), kFormats.end()};
-  }
-  if (name == "--units") {
-    constexpr auto kSystems = enum_names<UnitSystem>();
-    return {kSystems.begin(), kSystems.end()};
-  }
+  const auto texts = [](const auto& all) { return Names(all.begin(), all.end()); };
+  if (name == "--to")
+    return texts(enum_names<ExportFormat>());
+  if (name == "--units")
+    return texts(enum_names<UnitSystem>());
   if (name == "shell")
-    return {kShells.begin(), kShells.end()};
-  if (name == "--event") {
-    Names names;
-    for (const model::EventInfo& kind : model::event_infos())
-      names.emplace_back(kind.name);
-    return names;
-  }
-  if (name == "--player") {
-    Names names;
-    const debrief::Recorded run = open_run(words.size() > 1 ? words[1] : "", {});
-    for (const auto& player : run.scenario->roster.players)
-      names.push_back(player.name);
-    return names;
-  }
+    return texts(kShells);
+  if (name == "--event")
+    return listed(model::event_infos(), &model::EventInfo::name);
+  if (name == "--player")
+    return listed(open_run(words.size() > 1 ? words[1] : "", {}).scenario->roster.players,
+                  &scenario::Roster::Player::name);
   if (name == "scenario" || name == "files")
     return names_in("scenarios");
   if (name == "missiles")
     return names_in("data/missiles");
   if (name == "node") {
-    const scenario::Source source = scenario::Source::disk(home());
-    const scenario::Catalog all = scenario::make_catalog(source);
-    const auto nodes = scenario::node_names(all);
-    return {nodes.begin(), nodes.end()};
+    const scenario::Catalog all = scenario::make_catalog(scenario::Source::disk(home()));
+    return texts(scenario::node_names(all));
   }
-  if (name == "run" || name == "runs" || name == "left" || name == "right") {
-    Names names;
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator("runs", ignored))
-      if (fs::exists(entry.path() / record::kRunFileName, ignored))
-        names.push_back(entry.path());
-    return names;
-  }
+  if (name == "run" || name == "runs" || name == "left" || name == "right")
+    return runs_in("runs");
   return {};
 }
 
@@ -288,10 +267,7 @@ compdef _eyrie eyrie
 }  // namespace
 
 std::vector<std::string> command_names(const CLI::App& app) {
-  Names names;
-  for (const CLI::App* command : commands_of(app))
-    names.push_back(command->get_name());
-  return names;
+  return listed(commands_of(app), [](const CLI::App* command) { return command->get_name(); });
 }
 
 const CLI::App* command_named(const CLI::App& app, std::string_view name) {
@@ -303,7 +279,7 @@ const CLI::App* command_named(const CLI::App& app, std::string_view name) {
 
 std::string usage_of(const CLI::App& app) {
   std::string usage;
-  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; }))
+  for (const CLI::App* below : commands_of(app))
     return below->get_name() + " " + usage_of(*below);
   for (const CLI::Option* option : app.get_options())
     if (option->get_positional()) {
@@ -368,7 +344,7 @@ std::string completions(const CLI::App& app, std::span<char*> words) {
   } else if (words.size() > 1 && !help) {
     return "";
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   std::string text;
   for (const std::string& name : names)
     if (name.starts_with(begun))

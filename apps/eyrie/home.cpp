@@ -47,10 +47,9 @@ Object about(const std::string& name) {
 
 /// A name that stands for itself in an address.
 bool is_plain(const std::string& name) {
-  return !name.empty() && !name.starts_with('.') &&
-         std::all_of(name.begin(), name.end(), [](char c) {
-           return is_letter(c) || is_digit(c) || c == '-' || c == '_' || c == '.';
-         });
+  return !name.empty() && !name.starts_with('.') && std::ranges::all_of(name, [](char c) {
+    return is_letter(c) || is_digit(c) || c == '-' || c == '_' || c == '.';
+  });
 }
 
 /// Those in runs/, the last ones first.
@@ -162,7 +161,7 @@ std::string Home::hear(net::ViewerId who, std::string_view text) {
 }
 
 std::string Home::problem(const Wish& wish, Choice& chosen) const {
-  if (std::find(names_.begin(), names_.end(), wish.scenario) == names_.end())
+  if (std::ranges::find(names_, wish.scenario) == names_.end())
     return "there is no scenario " + quote(wish.scenario);
   try {
     std::vector<std::string> sets = wish.sets;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What the options of several commands share. For main.cpp and its like alone: CLI11 is
-/// slow to compile.
+/// \file  The command line: what the options of several commands share; what --help, the manual
+/// page and the completion of shells say, all of the same texts; and what is said to a line that
+/// was typed wrongly. For main.cpp and its like alone: CLI11 is slow to compile.
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
+#include <span>
 
 #include "arguments.hpp"
 #include "commands.hpp"
@@ -46,5 +48,35 @@ void add_campaign(CLI::App& app, Chosen& chosen);
 void add_report(CLI::App& app, Chosen& chosen);
 void add_query(CLI::App& app, Chosen& chosen);
 void add_optimize(CLI::App& app, Chosen& chosen);
+
+/// The commands of the program, or what is below one.
+[[nodiscard]] inline std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+[[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
+/// Null if there is none.
+[[nodiscard]] const CLI::App* command_named(const CLI::App& app, std::string_view name);
+
+/// "[SCENARIO] [options]"
+[[nodiscard]] std::string usage_of(const CLI::App& app);
+
+/// From now on --help is in our words: what options take, their texts, examples.
+void set_help(CLI::App& app);
+
+/// The command that prints what a shell sources, and eyrie.1.
+void add_completion(CLI::App& app, std::function<int()>& chosen);
+/// How the last of the words behind "eyrie" may go on, a line each; none: by the name of a file.
+[[nodiscard]] std::string completions(const CLI::App& app, std::span<char*> words);
+
+/// From now on no flag of a command takes a value, as in --quiet=false.
+void refuse_flag_values(CLI::App& app);
+/// What is wrong with "help fly extra", of which `words` are "eyrie fly --help extra"; or "".
+[[nodiscard]] std::string word_behind_help(const CLI::App& app, std::span<char*> words);
+/// Says what is wrong with a line, shortly whatever was typed. The exit code.
+[[nodiscard]] int say_wrong(const CLI::App& app, std::span<char*> words, std::string_view problem);
+/// Says help or version, or what is wrong with a line. The exit code.
+[[nodiscard]] int say_mistake(const CLI::App& app, const CLI::ParseError& e,
+                              std::span<char*> words);
 
 }  // namespace eyrie::app

@@ -143,7 +143,7 @@ std::vector<sim::Order> Broadcast::listen(scenario::Mission& mission) {
     const std::uint16_t kStart = 3, kStop = 4, kAble = 1, kUnable = 2;
     send({.exercise = link_.station.exercise,
           .timestamp = dis::timestamp_at(mission.run().time()),
-          .pdu = dis::Acknowledge{.from = {link_.station.site, link_.station.application, 0},
+          .pdu = dis::Acknowledge{.from = link_.station.entity(0),
                                   .to = asked.from,
                                   .what = asked.stop ? kStop : kStart,
                                   .response = obeys_ ? kAble : kUnable,

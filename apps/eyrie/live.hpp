@@ -6,8 +6,7 @@
 
 #include "commands.hpp"
 #include "dis/announcer.hpp"
-#include "net/datagram_receiver.hpp"
-#include "net/datagram_sender.hpp"
+#include "net/datagrams.hpp"
 #include "net/telemetry_host.hpp"
 #include "scenario/mission.hpp"
 

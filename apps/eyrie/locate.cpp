@@ -39,6 +39,23 @@ std::optional<double> plain(std::string_view text) {
   return value && is_digit(text.front()) && std::isfinite(*value) ? value : std::nullopt;
 }
 
+/// Of a name that stands there in a file, or that was typed.
+[[noreturn]] void refuse_at(const Location& where, const std::string& words) {
+  if (where.line > 0)
+    throw ConfigError(where, words);
+  refuse("eyrie: {}", words);
+}
+
+/// What may be meant by the name of a run that is not there: a folder beside it, or a scenario.
+std::string run_hint(const std::string& run) {
+  std::error_code ignored;
+  if (fs::exists(run, ignored))
+    return "";
+  if (std::string hint = did_you_mean(run, runs_in(fs::path(run).parent_path())); !hint.empty())
+    return hint;
+  return is_scenario(run) ? "; 'eyrie fly' makes a run of this scenario" : "";
+}
+
 }  // namespace
 
 fs::path program_prefix() {
@@ -103,7 +120,18 @@ std::vector<std::string> names_in(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(fs::path(home()) / folder, ignored))
     if (entry.path().extension() == ".yaml")
       names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
+  return names;
+}
+
+std::vector<std::string> runs_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, ignored); at != end(at);
+       at.increment(ignored))
+    if (fs::exists(at->path() / record::kRunFileName, ignored))
+      names.push_back((folder / at->path().filename()).string());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -123,17 +151,6 @@ std::string scenario_file(const std::string& name) {
   return !ignored && near.native().size() < shipped.native().size() ? near.generic_string()
                                                                     : shipped.generic_string();
 }
-
-namespace {
-
-/// Of a name that stands there in a file, or that was typed.
-[[noreturn]] void refuse_at(const Location& where, const std::string& words) {
-  if (where.line > 0)
-    throw ConfigError(where, words);
-  refuse("eyrie: {}", words);
-}
-
-}  // namespace
 
 Located locate(const std::string& name, const std::vector<std::string>& includes,
                const Location& where) {
@@ -165,27 +182,6 @@ std::shared_ptr<const scenario::Scenario> load_scenario(const std::string& name,
   return scenario::load({.file = at.file, .sets = sets, .plugins = plugins, .may_open = trusted()},
                         std::move(at.source));
 }
-
-namespace {
-
-/// What may be meant by the name of a run that is not there: a folder beside it, or a scenario.
-std::string run_hint(const std::string& run) {
-  std::error_code ignored;
-  if (fs::exists(run, ignored))
-    return "";
-  const fs::path folder = fs::path(run).parent_path();
-  std::vector<std::string> names;
-  for (fs::directory_iterator at(folder.empty() ? "." : folder, ignored); at != end(at);
-       at.increment(ignored))
-    if (fs::exists(at->path() / record::kRunFileName, ignored))
-      names.push_back((folder / at->path().filename()).string());
-  std::sort(names.begin(), names.end());
-  if (std::string hint = did_you_mean(run, names); !hint.empty())
-    return hint;
-  return is_scenario(run) ? "; 'eyrie fly' makes a run of this scenario" : "";
-}
-
-}  // namespace
 
 fs::path user_folder(const char* variable, const char* below_home) {
   const auto named = [](const char* name) -> fs::path {

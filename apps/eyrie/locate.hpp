@@ -28,6 +28,9 @@ namespace eyrie::app {
 /// The names of the YAML files in a folder of home(), "scenarios", without their ending, sorted.
 [[nodiscard]] std::vector<std::string> names_in(const std::string& folder);
 
+/// The run folders in a folder, sorted.
+[[nodiscard]] std::vector<std::string> runs_in(const std::filesystem::path& folder);
+
 /// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
 [[nodiscard]] std::string scenario_file(const std::string& name);
 

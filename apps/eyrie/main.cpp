@@ -7,12 +7,10 @@
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "help.hpp"
 #include "line.hpp"
 #include "locate.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
-#include "typed.hpp"
 
 namespace {
 
@@ -75,10 +73,9 @@ void add_others(CLI::App* command, FlyOptions& o, bool served) {
   of_dis("--dis-interface", o.dis_interface, "send from this own address")->check(own_ipv4);
   of_dis("--dis-threshold", o.dis_threshold,
          "how far others may be off before they are told (default: '1 m, 3 deg')");
-  of_dis(
-      "--ours", o.ours,
-      "sides, flights and aircraft that are flown here, such as blue or eagle,bogey2; the others "
-      "are another program's, heard by --dis");
+  of_dis("--ours", o.ours,
+         "sides, flights and aircraft that are flown here, such as blue or eagle,bogey2; the "
+         "others are another program's, heard by --dis");
   command
       ->add_flag("--dis-obey", o.dis_obey, "start, freeze and stop when another simulation says so")
       ->needs(dis);
@@ -131,10 +128,9 @@ void add_explain(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("explain", "Why an agent of a recorded run did what it did");
   ExplainOptions& o = options_of(explain, app::explain, chosen);
   add_run(explain, o);
-  auto* player =
-      explain->add_option("--player", o.player,
-                          "who; not given: the decisions on which the run turned, whoever made "
-                          "them");
+  auto* player = explain->add_option(
+      "--player", o.player,
+      "who; not given: the decisions on which the run turned, whoever made them");
   auto* at =
       explain->add_option("--at", o.at, "the decision at this time: 312.4, '5 min' or 5:12.4");
   auto* from =
@@ -201,10 +197,9 @@ void add_serve(CLI::App& app, Chosen& chosen) {
       "A mission, or the debrief page of a run, for browsers, which also choose and steer it");
   ServeOptions& o = options_of(served, serve, chosen);
   served
-      ->add_option(
-          "what", o.what,
-          "a scenario, as for fly; or a run folder or its run file, or two of them (default: "
-          "the home page, to choose from)")
+      ->add_option("what", o.what,
+                   "a scenario, as for fly; or a run folder or its run file, or two of them "
+                   "(default: the home page, to choose from)")
       ->expected(0, 2);
   served->add_option("--port", o.port, "0: any that is free")
       ->transform(number(0, 65'535))

@@ -56,10 +56,9 @@ std::string camel(std::string_view name) {
 std::string name_problem(const std::string& name) {
   if (const std::string better = usable(name); better != name || name.empty())
     return fmt::format(
-        "{} is no name for a behavior: a small letter, then small letters, digits "
-        "and '_'{}",
+        "{} is no name for a behavior: a small letter, then small letters, digits and '_'{}",
         quote(name), better.empty() ? "" : fmt::format("; perhaps {}?", quote(better)));
-  if (std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end())
+  if (std::ranges::find(kReserved, name) != kReserved.end())
     return fmt::format("{} means something else in a scenario; perhaps '{}_it'?", quote(name),
                        name);
   const scenario::Plugins none;
@@ -98,7 +97,7 @@ std::map<std::string, std::string> renamed(const fs::path& from, const std::stri
       continue;
     disk::FileRead read = disk::read_file(entry.path(), kLargest);
     if (!read.problem.empty())
-      throw disk::Failed(fmt::format("{} {}", entry.path().string(), read.problem));
+      throw disk::Failed("{} {}", entry.path().string(), read.problem);
     std::string text =
         replaced(replaced(std::move(read.bytes), "dodge", name), "Dodge", camel(name));
     if (const std::string prefix = package(); !prefix.empty())
@@ -106,8 +105,7 @@ std::map<std::string, std::string> renamed(const fs::path& from, const std::stri
     files[replaced(entry.path().filename(), "dodge", name)] = std::move(text);
   }
   if (failed)
-    throw disk::Failed(
-        fmt::format("cannot read {}: {}", quote_path(from.string()), failed.message()));
+    throw disk::Failed("cannot read {}: {}", quote_path(from.string()), failed.message());
   return files;
 }
 

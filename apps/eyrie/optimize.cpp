@@ -5,12 +5,11 @@
 #include "campaign/search.hpp"
 #include "campaign/summary.hpp"
 #include "campaign/whole_scenario.hpp"
-#include "campaign_json.hpp"
-#include "campaign_source.hpp"
+#include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/text.hpp"
-#include "disk/work_folder.hpp"
+#include "disk/output.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
@@ -186,8 +185,7 @@ int optimize(const FlightsOptions& options) {
   }
   if (found->generation)
     say("\nthe scenario refuses the middle of the last generation; the best candidate of "
-        "generation "
-        "{} takes its place:\n{}\n",
+        "generation {} takes its place:\n{}\n",
         *found->generation + 1, lines(found->refusal));
   say("\n{}\n{}\n", cell_text(search->spec, found->cell), lines(table));
   for (const std::string& set : sets)

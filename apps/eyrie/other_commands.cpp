@@ -24,11 +24,10 @@ std::string players_text(const scenario::Scenario& scenario) {
   std::string text;
   for (std::size_t f = 0; f < scenario.fleets.size(); ++f) {
     const auto& words = scenario.fleets[f]->words;
-    const auto players =
-        std::count_if(scenario.roster.players.begin(), scenario.roster.players.end(),
-                      [&](const auto& player) { return player.fleet == f; });
-    const auto groups = static_cast<std::size_t>(std::count_if(
-        scenario.roster.flights.begin(), scenario.roster.flights.end(), [&](const auto& flight) {
+    const auto players = std::ranges::count_if(
+        scenario.roster.players, [&](const auto& player) { return player.fleet == f; });
+    const auto groups = static_cast<std::size_t>(
+        std::ranges::count_if(scenario.roster.flights, [&](const auto& flight) {
           return scenario.roster.find(flight.members.front())->fleet == f;
         }));
     if (players)

@@ -44,13 +44,13 @@ void add_texts(const fs::path& home, const char* folder, nlohmann::ordered_json&
         entry.is_regular_file() && (kind == ".yaml" || kind == kNetwork))
       files.push_back(entry.path());
   if (failed)
-    throw disk::Failed(
-        fmt::format("cannot read {}: {}", quote_path((home / folder).string()), failed.message()));
-  std::sort(files.begin(), files.end());
+    throw disk::Failed("cannot read {}: {}", quote_path((home / folder).string()),
+                       failed.message());
+  std::ranges::sort(files);
   for (const fs::path& file : files) {
     disk::FileRead read = disk::read_file(file, kLargest);
     if (!read.problem.empty())
-      throw disk::Failed(fmt::format("{} {}", file.string(), read.problem));
+      throw disk::Failed("{} {}", file.string(), read.problem);
     texts[file.lexically_relative(home).generic_string()] =
         file.extension() == kNetwork ? base64(read.bytes) : std::move(read.bytes);
   }
@@ -83,8 +83,7 @@ int playground(const PlaygroundOptions& options) {
   const std::array parts{texts_of(there), page::part_of("zones", launch_zones())};
   const std::string page = page::page_with(shell.bytes, parts);
   if (page.empty())
-    throw disk::Failed(
-        fmt::format("{} is no playground of this version; build it again", playground_file()));
+    throw disk::Failed("{} is no playground of this version; build it again", playground_file());
   finish(folder, {{kPage, page}, {kSign, std::string(kAbout)}});
   say("written to {}: open {}/{} in a browser, {:.1f} MB\n", folder.path(), folder.path(), kPage,
       static_cast<double>(page.size()) / 1e6);

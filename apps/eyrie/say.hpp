@@ -5,7 +5,11 @@
 /// together of such texts already, with our own colors and line ends, is Composed.
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cstdint>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "core/text.hpp"
@@ -79,5 +83,26 @@ template <class... T>
 [[nodiscard]] bool colors();
 /// Writes what standard output still holds back. 0, or the errno for which something of it is lost.
 [[nodiscard]] int lost_output();
+
+class Progress {
+ public:
+  /// `what` is counted to `total`: "seeds".
+  Progress(std::string_view what, std::uint64_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// `more` stands behind it. Draws ten times a second at most.
+  void at(std::uint64_t done, std::string_view more = {});
+  /// Whether anybody sees it: what `more` costs may be saved.
+  [[nodiscard]] bool due() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string what_;
+  std::uint64_t total_;
+  bool shown_, drawn_ = false;
+  Clock::time_point begun_ = Clock::now(), last_ = begun_;
+};
 
 }  // namespace eyrie::app

@@ -62,9 +62,7 @@ void add(TrustList& list, const std::vector<std::string>& paths) {
 
 void remove(TrustList& list, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
-    std::vector<std::string> known;
-    for (const TrustList::Entry& entry : list.entries())
-      known.push_back(entry.path);
+    const auto known = listed(list.entries(), &TrustList::Entry::path);
     const std::string file = canonical(path);
     if (!list.remove(file))
       refuse("eyrie: trust --remove {}: it is not trusted{}", scenario::shell_word(path),

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "typed.hpp"
 
 #include <fmt/ranges.h>
 
@@ -9,7 +8,7 @@
 #include "arguments.hpp"
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
-#include "help.hpp"
+#include "line.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
 
@@ -41,7 +40,7 @@ std::string name_of(const CLI::App& command) {
 /// that of another command.
 std::string option_hint(const CLI::App& app, const CLI::App& command, const std::string& wrong) {
   const Names names = options_of(command);
-  if (std::find(names.begin(), names.end(), wrong) != names.end())  // behind one '-'
+  if (std::ranges::find(names, wrong) != names.end())  // behind one '-'
     return fmt::format("; did you mean '{}'?", wrong);
   if (std::string hint = did_you_mean(wrong, names); !hint.empty())
     return hint;
@@ -82,7 +81,7 @@ std::string unknown_option(const CLI::App& app, const CLI::App& command, std::sp
     const bool number = word.size() > 1 && (std::isdigit(word[1]) || word[1] == '.');
     if (!word.starts_with('-') || number || name.size() < 2 || name == "-h")
       continue;
-    if (std::find(names.begin(), names.end(), name) == names.end())
+    if (std::ranges::find(names, name) == names.end())
       return fmt::format("{} has no option {}{}", name_of(command), quote(name),
                          option_hint(app, command, (name[1] == '-' ? "" : "-") + name));
   }

@@ -4,14 +4,13 @@
 
 #include "campaign/in_order.hpp"
 #include "campaign/seed_table.hpp"
+#include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "debrief/look.hpp"
 #include "debrief/what_if.hpp"
 #include "locate.hpp"
-#include "progress.hpp"
 #include "record/json_text.hpp"
-#include "record/story.hpp"
 #include "say.hpp"
 #include "stats/sample.hpp"
 
@@ -42,13 +41,10 @@ Json first_json(const debrief::Otherwise& first) {
 }
 
 Json outcome_json(const debrief::Outcome& outcome) {
-  const auto side = [](const record::Tally::OfSide& s) {
-    return Json{{"losses", s.losses}, {"shots", s.shots}, {"kills", s.kills}, {"home", s.home}};
-  };
   return {{"outcome", outcome.outcome},
           {"time_s", outcome.time},
-          {"blue", side(outcome.blue)},
-          {"red", side(outcome.red)}};
+          {"blue", side_json(outcome.blue)},
+          {"red", side_json(outcome.red)}};
 }
 
 void print_outcome(std::string_view name, const debrief::Outcome& o) {
@@ -57,8 +53,7 @@ void print_outcome(std::string_view name, const debrief::Outcome& o) {
       o.blue.home, o.red.home);
 }
 void print_outcome_head() {
-  say("\n  {:<10} {:<10} {:>8}   {:<7}   {:<7}   {:<7}\n  {:<30}   blu red   blu red   blu "
-      "red\n",
+  say("\n  {:<10} {:<10} {:>8}   {:<7}   {:<7}   {:<7}\n  {:<30}   blu red   blu red   blu red\n",
       "", "outcome", "time", "losses", "shots", "home", "");
 }
 
@@ -165,15 +160,15 @@ void check_parts(const std::vector<std::string>& sets, const WhatIfOptions& opti
     const Location where{"--set " + set, 1, 1};
     if (part == "trees" || set.find('=') == std::string::npos)
       continue;
-    if (std::find(kParts.begin(), kParts.end(), part) == kParts.end()) {
+    if (std::ranges::find(kParts, part) == kParts.end()) {
       const std::string meant = did_you_mean(part, kParts);
-      wrong.error(where,
-                  fmt::format("whatif asks other trees; {} says nothing about decisions{}",
-                              quote(part), meant.empty() ? node_meant(scenario, set) : meant));
+      wrong.error(where, "whatif asks other trees; {} says nothing about decisions{}", quote(part),
+                  meant.empty() ? node_meant(scenario, set) : meant);
     } else if (options.seeds == 0 || options.branch)
-      wrong.error(where, fmt::format("the recorded states do not tell what another {} would have "
-                                     "changed: use --seeds, without --branch",
-                                     quote(part)));
+      wrong.error(where,
+                  "the recorded states do not tell what another {} would have changed: use "
+                  "--seeds, without --branch",
+                  quote(part));
   }
 }
 
@@ -188,14 +183,14 @@ int what_if(const WhatIfOptions& options) {
   Diagnostics wrong;
   auto overrides = debrief::read_overrides(*recorded.scenario, who, options.sets, wrong);
   check_parts(overrides.sets, options, *recorded.scenario, wrong);
-  const bool asks_trees =
-      overrides.sets.empty() || !overrides.changes.empty() ||
-      std::any_of(overrides.sets.begin(), overrides.sets.end(),
-                  [](const std::string& set) { return part_of(set) == "trees"; });
+  const bool asks_trees = overrides.sets.empty() || !overrides.changes.empty() ||
+                          std::ranges::any_of(overrides.sets, [](const std::string& set) {
+                            return part_of(set) == "trees";
+                          });
   if ((!asks_trees || options.seeds > 0) && !options.at.empty())
     refuse(
-        "eyrie: --at: flights over seeds begin at their start; only another tree can be asked of "
-        "a time, without --seeds");
+        "eyrie: --at: flights over seeds begin at their start; only another tree can be asked of a "
+        "time, without --seeds");
   wrong.throw_if_any();
   const auto other =
       debrief::with_overrides(recorded, overrides.sets, std::move(overrides.changes));

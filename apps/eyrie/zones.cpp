@@ -48,7 +48,7 @@ void keep_in_cache(std::uint64_t key, std::string_view file) {
   std::vector<std::pair<fs::file_time_type, fs::path>> old;
   for (const auto& entry : fs::directory_iterator(folder, failed))
     old.emplace_back(entry.last_write_time(failed), entry.path());
-  std::sort(old.begin(), old.end());
+  std::ranges::sort(old);
   for (std::size_t i = 0; i + kMost <= old.size(); ++i)
     fs::remove(old[i].second, failed);
   const fs::path made = cache_file(key).string() + fmt::format(".{}", ::getpid());
@@ -113,13 +113,13 @@ std::string drawing(const model::MissileType& type, double altitude, double spee
 
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {0}\" "
-      "font-family=\"sans-serif\" "
-      "font-size=\"12\" fill=\"none\">\n<rect width=\"{0}\" height=\"{0}\" fill=\"white\"/>\n",
+      "font-family=\"sans-serif\" font-size=\"12\" fill=\"none\">\n<rect width=\"{0}\" "
+      "height=\"{0}\" fill=\"white\"/>\n",
       kSize);
   for (double r = ring; r <= reach; r += ring)
     svg += fmt::format(
-        "<circle cx=\"{0}\" cy=\"{0}\" r=\"{1:.1f}\" stroke=\"#ddd\"/>"
-        "<text x=\"{2:.1f}\" y=\"{3:.1f}\" fill=\"#888\">{4:g} km</text>\n",
+        "<circle cx=\"{0}\" cy=\"{0}\" r=\"{1:.1f}\" stroke=\"#ddd\"/><text x=\"{2:.1f}\" "
+        "y=\"{3:.1f}\" fill=\"#888\">{4:g} km</text>\n",
         middle, r * scale, middle + 3, middle + r * scale - 3, r / 1e3);
   svg += fmt::format("<path d=\"M{0} {1}l-5 14h10z\" fill=\"black\"/>\n", middle, middle - 7);
   struct Curve {
@@ -145,8 +145,7 @@ std::string drawing(const model::MissileType& type, double altitude, double spee
   }
   svg += fmt::format(
       "<text x=\"12\" y=\"{}\" fill=\"black\">{}: both at {:.0f} m and {:.0f} m/s, shooter points "
-      "at "
-      "the target, which flies up</text>\n</svg>\n",
+      "at the target, which flies up</text>\n</svg>\n",
       kSize - 12, type.label, altitude, speed);
   return svg;
 }

@@ -66,7 +66,7 @@ inline std::vector<Judgement> judgements(const std::string& home) {
       at = stop + 1;
     }
   }
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+  std::ranges::sort(all, [](const auto& a, const auto& b) {
     return std::tie(a.file, a.line) < std::tie(b.file, b.line);
   });
   return all;

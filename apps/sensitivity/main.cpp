@@ -132,7 +132,7 @@ class Study {
 
   void fly() {
     const auto costly = static_cast<std::size_t>(
-        std::count_if(values_.begin(), values_.end(), [](auto* j) { return is_costly(*j); }));
+        std::ranges::count_if(values_, [](auto* j) { return is_costly(*j); }));
     const Design design(costly, values_.size() - costly);
     const std::size_t in_plot = design.rows_in_plot();
     rows_.resize(design.plots() * in_plot);
@@ -185,12 +185,11 @@ class Study {
   [[nodiscard]] std::size_t runs() const { return rows_.size() * seeds_; }
   [[nodiscard]] const Mission& mission() const { return mission_; }
   [[nodiscard]] bool reads(const Judgement& j) const {
-    return std::find(values_.begin(), values_.end(), &j) != values_.end();
+    return std::ranges::find(values_, &j) != values_.end();
   }
   [[nodiscard]] double mean_effect(const Judgement& j, std::size_t outcome) const {
     const Scores by_seed = effects(
-        static_cast<std::size_t>(std::find(values_.begin(), values_.end(), &j) - values_.begin()),
-        outcome);
+        static_cast<std::size_t>(std::ranges::find(values_, &j) - values_.begin()), outcome);
     return std::accumulate(by_seed.begin(), by_seed.end(), 0.0) / static_cast<double>(seeds_);
   }
   /// "-0.12", from 0.8 to 1.2; bold if 0 is outside of its interval, "" of what is not studied.
@@ -311,7 +310,7 @@ void print(const std::deque<Study>& studies, const std::vector<Judgement>& all) 
       }
     if (largest >= 0)
       lines.emplace(-largest, fmt::format("| {} | {} |{}\n", j.name, brief(j.now), cells));
-    else if (std::none_of(studies.begin(), studies.end(), [&](auto& s) { return s.reads(j); }))
+    else if (std::ranges::none_of(studies, [&](auto& s) { return s.reads(j); }))
       unread += fmt::format("{} {}", unread.empty() ? "" : ",", j.name);
   }
   for (const auto& [_, row] : lines)

@@ -9,7 +9,7 @@
 
 #include "campaign/in_order.hpp"
 #include "debrief/health.hpp"
-#include "stats/share.hpp"
+#include "stats/sample.hpp"
 
 namespace {
 using namespace eyrie;

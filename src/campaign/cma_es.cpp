@@ -83,8 +83,7 @@ void CmaEs::tell(std::span<const double> losses) {
   EYRIE_DEMAND(losses.size() == points_.size(), "a loss for each point");
   std::vector<std::size_t> order(points_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return losses[a] < losses[b]; });
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return losses[i]; });
 
   // selection and recombination: the mean goes where the better half is
   Point z(n_);

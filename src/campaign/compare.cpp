@@ -53,65 +53,6 @@ Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double
   return c;
 }
 
-}  // namespace
-
-std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
-                                      const std::function<void(const TakePair&)>& each,
-                                      double confidence) {
-  const auto known = [&](const Measure& m, const std::vector<double>& values) {
-    return !std::isnan(values[m.column]) &&
-           (m.kind != Measure::ratio || !std::isnan(values[m.per]));
-  };
-  std::vector<Pairs> all(measures.size());
-  each([&](const auto& a, const auto& b) {
-    for (std::size_t i = 0; i < measures.size(); ++i) {
-      const Measure& m = measures[i];
-      if (!known(m, a) || !known(m, b))
-        continue;
-      Pairs& pairs = all[i];
-      if (m.kind == Measure::ratio) {
-        pairs.ratios[0].add(a[m.column], a[m.per]);
-        pairs.ratios[1].add(b[m.column], b[m.per]);
-        continue;
-      }
-      pairs.differences.add(a[m.column] - b[m.column]);
-      pairs.both += a[m.column] != 0 && b[m.column] != 0;
-      pairs.only_one += a[m.column] != 0 && b[m.column] == 0;
-      pairs.only_other += a[m.column] == 0 && b[m.column] != 0;
-    }
-  });
-  const auto has_ratio = [&](std::size_t i) {
-    return measures[i].kind == Measure::ratio && all[i].ratios[0].divides(confidence) &&
-           all[i].ratios[1].divides(confidence);
-  };
-  std::vector<std::size_t> ratios;
-  for (std::size_t i = 0; i < measures.size(); ++i)
-    if (has_ratio(i))
-      ratios.push_back(i);
-  if (!ratios.empty())  // now that both ratios are known, each replicate's part in their difference
-    each([&](const auto& a, const auto& b) {
-      for (const std::size_t i : ratios) {
-        const Measure& m = measures[i];
-        if (!known(m, a) || !known(m, b))
-          continue;
-        Pairs& pairs = all[i];
-        const auto part = [&](std::size_t side, const std::vector<double>& values) {
-          const double ratio = *pairs.ratios[side].value();
-          return ratio +
-                 (values[m.column] - ratio * values[m.per]) / pairs.ratios[side].under().mean();
-        };
-        pairs.differences.add(part(0, a) - part(1, b));
-      }
-    });
-  std::vector<Comparison> comparisons;
-  for (std::size_t i = 0; i < measures.size(); ++i)
-    if (all[i].differences.n() > 1)
-      comparisons.push_back(compared(all[i], {.measure = i}, measures[i].kind, confidence));
-  return comparisons;
-}
-
-namespace {
-
 void correct(std::vector<Comparison>& comparisons, std::size_t measures) {
   for (std::size_t m = 0; m < measures; ++m) {
     std::vector<Comparison*> family;
@@ -217,7 +158,7 @@ std::optional<Variance> crossed(const Summary& summary, std::size_t measure,
     return variance(summary, measure, levels).by_level.size();
   };
   const bool balanced = v.by_level.size() == count(one) * count(other) &&
-                        std::all_of(v.by_level.begin(), v.by_level.end(), [&](const auto& level) {
+                        std::ranges::all_of(v.by_level, [&](const auto& level) {
                           return level.second.n() == v.by_level.begin()->second.n();
                         });
   return balanced ? std::optional(std::move(v)) : std::nullopt;
@@ -243,6 +184,61 @@ void subtract_chance(std::vector<Variance>& factors, bool all_crossed) {
 }
 
 }  // namespace
+
+std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
+                                      const std::function<void(const TakePair&)>& each,
+                                      double confidence) {
+  const auto known = [&](const Measure& m, const std::vector<double>& values) {
+    return !std::isnan(values[m.column]) &&
+           (m.kind != Measure::ratio || !std::isnan(values[m.per]));
+  };
+  std::vector<Pairs> all(measures.size());
+  each([&](const auto& a, const auto& b) {
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      const Measure& m = measures[i];
+      if (!known(m, a) || !known(m, b))
+        continue;
+      Pairs& pairs = all[i];
+      if (m.kind == Measure::ratio) {
+        pairs.ratios[0].add(a[m.column], a[m.per]);
+        pairs.ratios[1].add(b[m.column], b[m.per]);
+        continue;
+      }
+      pairs.differences.add(a[m.column] - b[m.column]);
+      pairs.both += a[m.column] != 0 && b[m.column] != 0;
+      pairs.only_one += a[m.column] != 0 && b[m.column] == 0;
+      pairs.only_other += a[m.column] == 0 && b[m.column] != 0;
+    }
+  });
+  const auto has_ratio = [&](std::size_t i) {
+    return measures[i].kind == Measure::ratio && all[i].ratios[0].divides(confidence) &&
+           all[i].ratios[1].divides(confidence);
+  };
+  std::vector<std::size_t> ratios;
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (has_ratio(i))
+      ratios.push_back(i);
+  if (!ratios.empty())  // now that both ratios are known, each replicate's part in their difference
+    each([&](const auto& a, const auto& b) {
+      for (const std::size_t i : ratios) {
+        const Measure& m = measures[i];
+        if (!known(m, a) || !known(m, b))
+          continue;
+        Pairs& pairs = all[i];
+        const auto part = [&](std::size_t side, const std::vector<double>& values) {
+          const double ratio = *pairs.ratios[side].value();
+          return ratio +
+                 (values[m.column] - ratio * values[m.per]) / pairs.ratios[side].under().mean();
+        };
+        pairs.differences.add(part(0, a) - part(1, b));
+      }
+    });
+  std::vector<Comparison> comparisons;
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (all[i].differences.n() > 1)
+      comparisons.push_back(compared(all[i], {.measure = i}, measures[i].kind, confidence));
+  return comparisons;
+}
 
 std::vector<Comparison> compare(const std::string& folder, const Summary& summary,
                                 std::optional<std::size_t> measure, double confidence) {
@@ -284,15 +280,12 @@ std::vector<Effect> effects(const Summary& summary) {
         const stats::Moments& moments = v.by_level.at(level);
         effect.levels.push_back({level, static_cast<std::size_t>(moments.n()), moments.mean()});
       }
-      std::stable_sort(effect.levels.begin(), effect.levels.end(),
-                       [](const auto& a, const auto& b) {
-                         return number_of(a.name).value_or(0) < number_of(b.name).value_or(0);
-                       });
+      std::ranges::stable_sort(
+          effect.levels, {}, [](const Effect::Level& l) { return number_of(l.name).value_or(0); });
       if (v.part > 1e-12)  // more than rounding
         some.push_back(std::move(effect));
     }
-    std::stable_sort(some.begin(), some.end(),
-                     [](const Effect& a, const Effect& b) { return a.part > b.part; });
+    std::ranges::stable_sort(some, std::ranges::greater(), &Effect::part);
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

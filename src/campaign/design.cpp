@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/design.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -113,10 +111,9 @@ std::optional<Diagnostic> problem_of(const Design& design, std::span<const Facto
     double cells = 1;
     for (const Factor& f : factors) {
       if (f.distribution)
-        return Diagnostic{f.where,
-                          fmt::format("{} needs levels: give {} some, as with !range, or choose "
-                                      "latin_hypercube, sobol or random",
-                                      kind, f.name)};
+        return Diagnostic{f.where, fmt::format("{} needs levels: give {} some, as with !range, or "
+                                               "choose latin_hypercube, sobol or random",
+                                               kind, f.name)};
       cells *= static_cast<double>(f.levels.size());
     }
     if (design.kind == DesignKind::full_factorial && cells > Design::kMostCells)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/engine.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "campaign/in_order.hpp"
@@ -59,10 +57,10 @@ void demand_the_same(const Result& before, Crew& crew) {
   const Batch batch{before.cell, before.replicate, 1};
   crew.fly({&batch, 1}, [&](Result&& now) {
     if (now.flown.outcome != scenario::Outcome::stopped && now.flown.hash != before.flown.hash)
-      throw disk::Refused(fmt::format(
+      throw disk::Refused(
           "this program, or a plug-in, is another one than that which began the campaign: cell {}, "
           "replicate {} ends with the world {}, was {}",
-          now.cell, now.replicate, hash_text(now.flown.hash), hash_text(before.flown.hash)));
+          now.cell, now.replicate, hash_text(now.flown.hash), hash_text(before.flown.hash));
     return false;
   });
 }
@@ -75,8 +73,7 @@ std::shared_ptr<const scenario::Scenario> Scenarios::of(std::uint64_t cell) {
   std::shared_ptr<Loaded> loaded;
   {
     const std::lock_guard lock(mutex_);
-    const auto found =
-        std::find_if(last_.begin(), last_.end(), [&](const auto& l) { return l->cell == cell; });
+    const auto found = std::ranges::find_if(last_, [&](const auto& l) { return l->cell == cell; });
     if (found == last_.end()) {
       last_.push_front(std::make_shared<Loaded>(cell));
       if (last_.size() > kept_)
@@ -124,8 +121,7 @@ Plan::Plan(std::span<const Batch> batches) : batches_(batches) {
     ends_.push_back(size() + batch.count);
 }
 Plan::Place Plan::operator[](std::uint64_t i) const {
-  const auto b =
-      static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), i) - ends_.begin());
+  const auto b = static_cast<std::size_t>(std::ranges::upper_bound(ends_, i) - ends_.begin());
   const Batch& batch = batches_[b];
   return {batch.cell, batch.first + (i + batch.count - ends_[b]) * batch.step};
 }

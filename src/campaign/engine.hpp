@@ -5,7 +5,7 @@
 #include <list>
 #include <mutex>
 
-#include "campaign/estimate.hpp"
+#include "campaign/measure.hpp"
 #include "campaign/store.hpp"
 
 namespace eyrie::campaign {

@@ -89,6 +89,10 @@ std::string in_quotes(std::string_view text) {
   return quoted + '"';
 }
 
+std::vector<std::string> sets_to(const std::string& value, const std::vector<std::string>& paths) {
+  return listed(paths, [&](const std::string& path) { return path + "=" + value; });
+}
+
 class Reader {
  public:
   Reader(const Value::Entry& entry, Diagnostics& diagnostics)
@@ -111,7 +115,7 @@ class Reader {
     else if ((factor_.paths = texts(*path, "a path")).empty())
       return std::move(factor_);
     else if (values->is_map() && values->tag.empty())
-      named(*values, [&](const Value& v) { return sets(yaml_text(v)); });
+      named(*values, [&](const Value& v) { return sets_to(yaml_text(v), factor_.paths); });
     else if (values->tag.empty() || values->tag == "!choice")
       listed(*values);
     else
@@ -120,14 +124,10 @@ class Reader {
   }
 
  private:
-  void error(const Location& where, std::string_view message) {
-    diagnostics_.error(where, fmt::format("{}: {}", factor_.name, message));
-  }
-  std::vector<std::string> sets(const std::string& value) const {
-    std::vector<std::string> all;
-    for (const std::string& path : factor_.paths)
-      all.push_back(path + "=" + value);
-    return all;
+  template <class... T>
+  void error(const Location& where, fmt::format_string<T...> words, T&&... values) {
+    diagnostics_.error(where, "{}: {}", factor_.name,
+                       fmt::format(words, std::forward<T>(values)...));
   }
   /// One text or several.
   std::vector<std::string> texts(const Value& v, std::string_view what) {
@@ -137,32 +137,32 @@ class Reader {
       if (item.is_scalar() && !item.text.empty() && set == (what == "path=value"))
         all.push_back(item.text);
       else
-        error(item.where, fmt::format("expected {}, got {}", what, item.shown()));
+        error(item.where, "expected {}, got {}", what, item.shown());
     }
     if (v.is_list() && v.items.empty())
-      error(v.where, fmt::format("expected {}, got an empty list", what));
+      error(v.where, "expected {}, got an empty list", what);
     return all;
   }
   template <class Sets>
   void named(const Value& map, Sets sets_of) {
     if (!map.is_map() || map.entries.size() < 2)
-      return error(map.where, "expected a map of two levels or more, got " +
-                                  (map.is_map() ? "a smaller one" : map.shown()));
+      return error(map.where, "expected a map of two levels or more, got {}",
+                   map.is_map() ? "a smaller one" : map.shown());
     for (const Value::Entry& e : map.entries)
       factor_.levels.push_back({e.key, sets_of(e.value), e.where});
   }
   void level(const std::string& text, const Location& where) {
     const auto [same, is_new] = known_.emplace(meaning_of(text), text);
     if (!is_new)
-      error(where, fmt::format("{} is there twice{}", quote(text),
-                               same->second == text ? "" : ", first as " + quote(same->second)));
+      error(where, "{} is there twice{}", quote(text),
+            same->second == text ? "" : ", first as " + quote(same->second));
     else
-      factor_.levels.push_back({text, sets(text), where});
+      factor_.levels.push_back({text, sets_to(text, factor_.paths), where});
   }
   void listed(const Value& list) {
     if (!list.is_list() || list.items.size() < 2)
-      return error(list.where, "expected a list of two values or more, got " +
-                                   (list.is_list() ? "a shorter one" : list.shown()));
+      return error(list.where, "expected a list of two values or more, got {}",
+                   list.is_list() ? "a shorter one" : list.shown());
     for (const Value& item : list.items)
       level(yaml_text(item), item.where);
   }
@@ -174,14 +174,14 @@ class Reader {
       const Value& v = *map.find(key);
       const auto read = number_in(v.text);
       if (!read)
-        error(v.where, fmt::format("{}: expected a number and its unit such as '2.5 nmi', got {}",
-                                   key, v.shown()));
+        error(v.where, "{}: expected a number and its unit such as '2.5 nmi', got {}", key,
+              v.shown());
       if (!read)
         return std::nullopt;
       *number = *read;
     }
     if (both[0].unit != both[1].unit) {
-      error(map.find(b)->where, fmt::format("{} and {} must be in one unit", a, b));
+      error(map.find(b)->where, "{} and {} must be in one unit", a, b);
       return std::nullopt;
     }
     return std::pair{both[0], both[1]};
@@ -221,8 +221,7 @@ class Reader {
     } else {
       static constexpr std::array<std::string_view, 5> kTags{"!choice", "!range", "!uniform",
                                                              "!log_uniform", "!normal"};
-      error(map.where,
-            fmt::format("there is no {}, only {}", quote(map.tag), fmt::join(kTags, ", ")));
+      error(map.where, "there is no {}, only {}", quote(map.tag), fmt::join(kTags, ", "));
     }
   }
 
@@ -257,10 +256,7 @@ std::vector<std::string> Factor::sets_of(const std::string& value) const {
   for (const Level& level : levels)
     if (level.name == value)
       return level.sets;
-  std::vector<std::string> all;
-  for (const std::string& path : paths)
-    all.push_back(path + "=" + value);
-  return all;
+  return sets_to(value, paths);
 }
 
 std::vector<Factor> read_factors(const Value& map, Diagnostics& diagnostics) {
@@ -282,8 +278,8 @@ std::vector<Factor> read_factors(const Value& map, Diagnostics& diagnostics) {
         paths.push_back(set.substr(0, set.find('=')));
     for (const std::string& path : paths)
       if (const auto& by = setters.emplace(path, factor.name).first->second; by != factor.name)
-        diagnostics.error(factor.where, fmt::format("{}: {} is set by {}, which would do nothing",
-                                                    factor.name, quote(path), by));
+        diagnostics.error(factor.where, "{}: {} is set by {}, which would do nothing", factor.name,
+                          quote(path), by);
   }
   return factors;
 }

@@ -2,7 +2,6 @@
 #include "campaign/link.hpp"
 
 #include <dlfcn.h>
-#include <fmt/format.h>
 
 #include <cstdlib>
 
@@ -54,9 +53,8 @@ std::unique_ptr<Link> open_mpi(const std::string& library) {
     return nullptr;
   const auto refuse = [&](const std::string& why) {
     throw disk::Refused(
-        fmt::format("mpirun has started this ({} is set), but {}; docs/campaigns.md says what "
-                    "to install",
-                    started, why));
+        "mpirun has started this ({} is set), but {}; docs/campaigns.md says what to install",
+        started, why);
   };
   if (library.empty())
     refuse("libeyrie_mpi.so is not beside the program");

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "campaign/query.hpp"
 #include "core/bind.hpp"
@@ -61,14 +62,12 @@ void check(const MeasureSpec& spec, Diagnostics& diagnostics) {
   const auto [may, must] = words_of(spec.what);
   for (const Value::Entry& e : spec.text.entries)
     if (e.key != "what" && may.find(fmt::format(" {} ", e.key)) == may.npos)
-      diagnostics.error(e.where, fmt::format("{}: '{}' says nothing of {}", spec.name, e.key,
-                                             enum_name(spec.what)));
-  if (std::find(spec.is.begin(), spec.is.end(), scenario::Outcome::running) != spec.is.end())
-    diagnostics.error(spec.text.where_of("is"),
-                      fmt::format("{}: no flight ends 'running'", spec.name));
+      diagnostics.error(e.where, "{}: '{}' says nothing of {}", spec.name, e.key,
+                        enum_name(spec.what));
+  if (std::ranges::find(spec.is, scenario::Outcome::running) != spec.is.end())
+    diagnostics.error(spec.text.where_of("is"), "{}: no flight ends 'running'", spec.name);
   if (!must.empty() && !spec.text.find(must))
-    diagnostics.error(spec.text.where,
-                      fmt::format("{}: {} needs '{}'", spec.name, enum_name(spec.what), must));
+    diagnostics.error(spec.text.where, "{}: {} needs '{}'", spec.name, enum_name(spec.what), must);
   else if (spec.what == What::event || spec.what == What::decision)
     Query::check(spec, diagnostics);
 }
@@ -165,7 +164,7 @@ class Watcher final : public Watch {
     const auto shots = [](const Player& p) { return p.shots; };
     switch (spec.what) {
       case What::outcome:
-        return {std::find(spec.is.begin(), spec.is.end(), outcome) != spec.is.end(), 0};
+        return {std::ranges::find(spec.is, outcome) != spec.is.end(), 0};
       case What::end_time:
         return {time, 0};
       case What::losses:
@@ -201,8 +200,7 @@ class Watcher final : public Watch {
     const auto& flights = scenario_.roster.flights;
     for (std::uint16_t f = 0; f < flights.size(); ++f) {
       const auto& members = flights[f].members;
-      if (std::none_of(members.begin(), members.end(),
-                       [&](PlayerId m) { return who[m.value - 1]; }))
+      if (std::ranges::none_of(members, [&](PlayerId m) { return who[m.value - 1]; }))
         continue;
       double left = 0;  // when its last member was gone
       for (const PlayerId m : members) {
@@ -240,10 +238,9 @@ class Watcher final : public Watch {
           if (const auto& node = tree->node(static_cast<ubf::NodeIndex>(n)); node.is_sequencer())
             for (const auto& child : node.children())
               names.emplace_back(child->label());
-    if (std::find(names.begin(), names.end(), spec.phase) == names.end())
-      wrong.error(spec.text.where_of("phase"),
-                  fmt::format("{}: there is no phase {}{}", spec.name, quote(spec.phase),
-                              nearest_or_all(spec.phase, names)));
+    if (std::ranges::find(names, spec.phase) == names.end())
+      wrong.error(spec.text.where_of("phase"), "{}: there is no phase {}{}", spec.name,
+                  quote(spec.phase), nearest_or_all(spec.phase, names));
   }
 
   const Measures& measures_;
@@ -299,6 +296,38 @@ Measures read_measures(const Value& map, Diagnostics& diagnostics) {
 
 std::unique_ptr<Watch> watch(const Measures& measures, const scenario::Scenario& scenario) {
   return std::make_unique<Watcher>(measures, scenario);
+}
+
+Estimator::Estimator(const Measure& measure) : column_(measure.column), per_(measure.per) {
+  if (measure.kind == Measure::mean)
+    sum_ = stats::Moments();
+  else if (measure.kind == Measure::ratio)
+    sum_ = stats::Ratio();
+}
+
+void Estimator::add(std::span<const double> values) {
+  if (values.empty() || std::isnan(values[column_]))
+    return;
+  const double value = values[column_];
+  if (auto* share = std::get_if<stats::Share>(&sum_)) {
+    share->count += value != 0;
+    ++share->n;
+  } else if (auto* moments = std::get_if<stats::Moments>(&sum_)) {
+    moments->add(value);
+  } else if (!std::isnan(values[per_])) {
+    std::get<stats::Ratio>(sum_).add(value, values[per_]);
+  }
+}
+
+Estimate Estimator::estimate(double confidence) const {
+  if (const auto* share = std::get_if<stats::Share>(&sum_))
+    return {share->n, share->n ? std::optional(share->value()) : std::nullopt,
+            stats::wilson(*share, confidence)};
+  if (const auto* moments = std::get_if<stats::Moments>(&sum_))
+    return {moments->n(), moments->n() ? std::optional(moments->mean()) : std::nullopt,
+            stats::t_interval(*moments, confidence)};
+  const auto& ratio = std::get<stats::Ratio>(sum_);
+  return {ratio.n(), ratio.value(), ratio.fieller(confidence)};
 }
 
 }  // namespace eyrie::campaign

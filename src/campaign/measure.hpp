@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What is counted and measured of each flight of a campaign.
+/// \file  What is counted and measured of each flight of a campaign, what the replicates say about
+/// it, and how sure that is.
+#include <variant>
+
 #include "core/describe.hpp"
 #include "core/value.hpp"
 #include "scenario/mission.hpp"
+#include "stats/sample.hpp"
 #include "ubf/expression.hpp"
 
 namespace eyrie::campaign {
@@ -104,5 +108,25 @@ class Watch : public sim::Observer {
 /// Both must outlive it.
 [[nodiscard]] std::unique_ptr<Watch> watch(const Measures& measures,
                                            const scenario::Scenario& scenario);
+
+struct Estimate {
+  std::uint64_t n = 0;                        ///< replicates to which it applies
+  std::optional<double> value{};              ///< nothing of none, and of a ratio to 0
+  std::optional<stats::Interval> interval{};  ///< nothing if it has no bounds
+};
+
+/// Takes the replicates of a cell one by one. The same ones in the same order give the same bits.
+class Estimator {
+ public:
+  explicit Estimator(const Measure& measure);
+  /// The values of a replicate by column; those of one that has none are left out.
+  void add(std::span<const double> values);
+  /// Shares have Wilson's interval, means Student's, ratios Fieller's.
+  [[nodiscard]] Estimate estimate(double confidence = 0.95) const;
+
+ private:
+  std::size_t column_, per_;
+  std::variant<stats::Share, stats::Moments, stats::Ratio> sum_;
+};
 
 }  // namespace eyrie::campaign

@@ -41,9 +41,8 @@ bool same(const Value& a, const Value& b) {
     return x.key == y.key && same(x.value, y.value);
   };
   return a.kind == b.kind && a.text == b.text && a.quoted == b.quoted && a.tag == b.tag &&
-         std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(), same) &&
-         std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
-                    same_entry);
+         std::ranges::equal(a.items, b.items, same) &&
+         std::ranges::equal(a.entries, b.entries, same_entry);
 }
 
 /// What a campaign's file says, but for how many replicates there are.
@@ -117,9 +116,8 @@ void demand_the_same(Database& database, const Origin& origin, const std::string
     before[stored.text(0)] = stored.text(1);
   if (const auto all = differences(before, origin); !all.empty())
     throw disk::Refused(
-        fmt::format("{} was begun with something else; undo that, or begin anew with another --out"
-                    "\n  {}",
-                    quote_path(folder), fmt::join(all, "\n  ")));
+        "{} was begun with something else; undo that, or begin anew with another --out\n  {}",
+        quote_path(folder), fmt::join(all, "\n  "));
 }
 
 }  // namespace eyrie::campaign

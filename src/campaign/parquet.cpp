@@ -51,10 +51,10 @@ struct Parquet::Calls {
 Parquet::Parquet(const std::string& library) : calls_(std::make_unique<Calls>()) {
   const auto refuse = [](const std::string& why) {
     throw disk::Refused(
-        fmt::format("Parquet is written by DuckDB's library: {}. 'npm install "
-                    "@duckdb/node-bindings-linux-x64' (or -arm64) gets it; then say EYRIE_DUCKDB="
-                    "node_modules/@duckdb/node-bindings-linux-x64/libduckdb.so",
-                    why));
+        "Parquet is written by DuckDB's library: {}. 'npm install "
+        "@duckdb/node-bindings-linux-x64' (or -arm64) gets it; then say EYRIE_DUCKDB="
+        "node_modules/@duckdb/node-bindings-linux-x64/libduckdb.so",
+        why);
   };
   void* const opened = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!opened)
@@ -88,20 +88,17 @@ void Parquet::run(const std::string& sql) {
   const std::string why = words ? words : "DuckDB does not say why";
   calls_->destroy(&result);
   if (failed)
-    throw disk::Failed(fmt::format("no {}: {}", kParquetName, why));
+    throw disk::Failed("no {}: {}", kParquetName, why);
 }
 
 void Parquet::write(Database& database, const std::string& folder) {
   static const std::set<std::string_view> kIntegers{"cell", "replicate", "seed", "steps"},
       kTexts{"outcome", "hash"};
-  const Statement factors = database.prepare("SELECT * FROM cells"),
-                  replicates = database.prepare("SELECT * FROM replicates");
   std::vector<std::string> columns{"'cell': 'BIGINT'"};
-  for (int i = 2; i < factors.columns(); ++i)
-    columns.push_back(sql_text(factors.column_name(i)) + ": 'VARCHAR'");
-  for (int i = 1; i < replicates.columns(); ++i) {
-    const std::string name = replicates.column_name(i);
-    const bool own = i < kFirstColumn;
+  for (const std::string& factor : columns_of(database, "cells", 2))
+    columns.push_back(sql_text(factor) + ": 'VARCHAR'");
+  for (int i = 1; const std::string& name : columns_of(database, "replicates", 1)) {
+    const bool own = i++ < kFirstColumn;
     columns.push_back(fmt::format("{}: '{}'", sql_text(name),
                                   own && kIntegers.contains(name) ? "BIGINT"
                                   : own && kTexts.contains(name)  ? "VARCHAR"

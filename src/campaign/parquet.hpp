@@ -17,8 +17,6 @@ class Parquet {
   /// opened, and says how to get it.
   explicit Parquet(const std::string& library);
   ~Parquet();
-  Parquet(const Parquet&) = delete;
-  Parquet& operator=(const Parquet&) = delete;
 
   /// results.parquet of the results.csv in the folder of the database: cell, replicate, seed and
   /// steps are integers, factors, outcome and hash texts, everything else doubles; NULL where

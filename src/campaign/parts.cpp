@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/parts.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <filesystem>
 
@@ -41,8 +39,7 @@ std::uint64_t parts_in(const std::string& folder) {
     if (of == 0)
       continue;
     if (all != 0 && all != of)
-      throw disk::Refused(
-          fmt::format("{} holds parts of {} and parts of {}", quote_path(folder), all, of));
+      throw disk::Refused("{} holds parts of {} and parts of {}", quote_path(folder), all, of);
     all = of;
   }
   return all;
@@ -78,12 +75,12 @@ std::vector<std::string> whole_parts(const std::string& folder, const Spec& spec
     }
   }
   if (of == 0)
-    throw disk::Refused(fmt::format("there is no part of a campaign in {}", quote_path(folder)));
+    throw disk::Refused("there is no part of a campaign in {}", quote_path(folder));
   if (lines > kMostLines)
     missing += fmt::format("\n  and {} more", lines - kMostLines);
   if (!missing.empty())
-    throw disk::Refused(fmt::format("{} has not all parts yet; fly what is missing (--array={}){}",
-                                    quote_path(folder), tasks, missing));
+    throw disk::Refused("{} has not all parts yet; fly what is missing (--array={}){}",
+                        quote_path(folder), tasks, missing);
   return folders;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/query.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/angle.hpp"
@@ -57,9 +55,8 @@ std::vector<StateFieldInfo> fields_of(const MeasureSpec& spec) {
 /// Which field is taken; the number of fields if there is no such.
 std::size_t value_of(const MeasureSpec& spec, std::span<const StateFieldInfo> fields) {
   const std::string_view name = spec.value.empty() ? "time" : std::string_view(spec.value);
-  return static_cast<std::size_t>(
-      std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; }) -
-      fields.begin());
+  const auto found = std::ranges::find(fields, name, &StateFieldInfo::name);
+  return static_cast<std::size_t>(found - fields.begin());
 }
 
 std::optional<std::vector<ubf::detail::Instruction>> condition_of(
@@ -121,7 +118,7 @@ constexpr std::size_t kWaysToMove = 15;
 std::size_t way_to_move(const model::Kinematics& k) {
   const auto beyond = [](double x, std::initializer_list<double> limits) {
     return static_cast<std::size_t>(
-        std::count_if(limits.begin(), limits.end(), [&](double limit) { return x > limit; }));
+        std::ranges::count_if(limits, [&](double limit) { return x > limit; }));
   };
   return 3 * beyond(k.roll, {-radians(45), -radians(10), radians(10), radians(45)}) +
          beyond(k.pitch, {-radians(5), radians(5)});
@@ -133,19 +130,13 @@ Players players_named(const scenario::Scenario& scenario, const MeasureSpec& spe
                       std::string_view key, const std::string& name, Diagnostics& diagnostics) {
   const scenario::Roster& roster = scenario.roster;
   Players meant;
-  std::vector<std::string> names{"blue", "red"};
-  for (const auto& flight : roster.flights)
-    names.push_back(flight.name);
-  for (const auto& player : roster.players) {
-    names.push_back(player.name);
+  for (const auto& player : roster.players)
     meant.push_back(name.empty() || player.name == name ||
                     roster.flights[player.flight].name == name ||
                     scenario::side_name(player.side) == name);
-  }
-  if (std::find(meant.begin(), meant.end(), true) == meant.end())
-    diagnostics.error(spec.text.where_of(key),
-                      fmt::format("{}: there is no side, flight or player {}{}", spec.name,
-                                  quote(name), nearest_or_all(name, names)));
+  if (std::ranges::find(meant, true) == meant.end())
+    diagnostics.error(spec.text.where_of(key), "{}: there is no side, flight or player {}{}",
+                      spec.name, quote(name), nearest_or_all(name, roster.names()));
   return meant;
 }
 
@@ -182,27 +173,23 @@ void Query::check(const MeasureSpec& spec, Diagnostics& diagnostics) {
     for (std::uint16_t k = 1; k < static_cast<std::uint16_t>(model::EventKind::count); ++k)
       names.push_back(model::event_name(static_cast<model::EventKind>(k)));
     const std::string hint = did_you_mean(spec.event, names);
-    diagnostics.error(
-        spec.text.where_of("event"),
-        fmt::format("{}: there is no event {}{}", spec.name, quote(spec.event),
-                    hint.empty() ? "; 'eyrie catalog --events' tells which there are" : hint));
+    diagnostics.error(spec.text.where_of("event"), "{}: there is no event {}{}", spec.name,
+                      quote(spec.event),
+                      hint.empty() ? "; 'eyrie catalog --events' tells which there are" : hint);
     return;
   }
   const std::vector<StateFieldInfo> fields = fields_of(spec);
   static_cast<void>(condition_of(spec, fields, diagnostics));
-  std::vector<std::string_view> names;
-  for (const StateFieldInfo& f : fields)
-    names.push_back(f.name);
   if (value_of(spec, fields) == fields.size())
-    diagnostics.error(spec.text.where_of("value"),
-                      fmt::format("{}: it has no value {}{}", spec.name, quote(spec.value),
-                                  nearest_or_all(spec.value, names)));
+    diagnostics.error(spec.text.where_of("value"), "{}: it has no value {}{}", spec.name,
+                      quote(spec.value),
+                      nearest_or_all(spec.value, listed(fields, &StateFieldInfo::name)));
   const Value* const take = spec.text.find("take");
   const bool takes_value = spec.take != Take::any && spec.take != Take::count;
   const bool is_read = !take || take->text == enum_name(spec.take);
   if (!spec.value.empty() && !takes_value && is_read)
-    diagnostics.error(spec.text.where_of("value"),
-                      fmt::format("{}: '{}' takes no value", spec.name, enum_name(spec.take)));
+    diagnostics.error(spec.text.where_of("value"), "{}: '{}' takes no value", spec.name,
+                      enum_name(spec.take));
 }
 
 std::string_view Query::unit(const MeasureSpec& spec) {
@@ -223,7 +210,7 @@ Variety::Variety(const Flight& flight, Players who, bool of_motion)
       for (auto& of_tree = of_fleet.emplace_back(); of_tree.size() < tree->size();) {
         const std::string_view type =
             tree->node(static_cast<ubf::NodeIndex>(of_tree.size())).type();
-        const auto known = std::find(names.begin(), names.end(), type);
+        const auto known = std::ranges::find(names, type);
         of_tree.push_back(static_cast<std::size_t>(known - names.begin()));
         if (known == names.end())
           names.push_back(type);
@@ -278,9 +265,8 @@ Query::Query(const MeasureSpec& spec, const Flight& flight, Diagnostics& diagnos
       }
     }
   if (!known)
-    diagnostics.error(spec.text.where_of("node"),
-                      fmt::format("{}: no tree has a node {}{}", spec.name, quote(spec.node),
-                                  nearest_or_all(spec.node, labels)));
+    diagnostics.error(spec.text.where_of("node"), "{}: no tree has a node {}{}", spec.name,
+                      quote(spec.node), nearest_or_all(spec.node, labels));
 }
 
 double Query::field(const Case& c, std::size_t index) const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/ranks.hpp"
 
-#include <fmt/format.h>
-
 #include <cstring>
 #include <stdexcept>
 

@@ -29,8 +29,6 @@ class Pool {
   Pool(unsigned workers, Work work);
   /// Finishes what has been begun, and begins no more.
   ~Pool();
-  Pool(const Pool&) = delete;
-  Pool& operator=(const Pool&) = delete;
 
   [[nodiscard]] unsigned workers() const { return static_cast<unsigned>(threads_.size()); }
   void put(const Job& job);

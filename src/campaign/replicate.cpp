@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/replicate.hpp"
 
-#include <fmt/format.h>
-
 namespace eyrie::campaign {
 
 Flown fly(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t seed,

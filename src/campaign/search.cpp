@@ -138,11 +138,8 @@ Cell cell_at(const Search& search, std::span<const double> point) {
 SearchLog::SearchLog(const Search& search, std::string_view origin, const std::string& text,
                      const std::string& file)
     : file_(file) {
-  std::vector<std::string> names;
-  for (const Factor& factor : search.spec.factors)
-    names.push_back(factor.name);
   text_ = fmt::format("# {}\ngeneration,candidate,{},{}\n", origin, search.measure,
-                      fmt::join(names, ","));
+                      fmt::join(listed(search.spec.factors, &Factor::name), ","));
   if (text.empty())
     return;
   if (!text.starts_with(text_))
@@ -203,8 +200,7 @@ std::optional<Winner> optimize(const Search& search, const Load& load, SearchLog
       const double sign = search.goal == Goal::maximize ? -1 : 1;
       losses.push_back(now.scores[c] ? sign * *now.scores[c] : math::kInfinity);
     }
-    now.best =
-        static_cast<std::size_t>(std::min_element(losses.begin(), losses.end()) - losses.begin());
+    now.best = static_cast<std::size_t>(std::ranges::min_element(losses) - losses.begin());
     if (now.scores[now.best])
       accepted = Winner{now.cells[now.best], now.number};
     strategy.tell(losses);

@@ -61,9 +61,8 @@ std::vector<SeedTable::StandsOut> SeedTable::stand_out() const {
   found.push_back({rows_.front().seed, "first"});
   // of several alike the first
   const auto least = [&](const char* why, auto figure) {
-    const auto row = std::min_element(rows_.begin(), rows_.end(), [&](const Row& a, const Row& b) {
-      return figure(a.figures) < figure(b.figures);
-    });
+    const auto row =
+        std::ranges::min_element(rows_, {}, [&](const Row& r) { return figure(r.figures); });
     found.push_back({row->seed, why});
   };
   least("typical", [&](const Figures& of) {
@@ -80,8 +79,7 @@ std::vector<SeedTable::StandsOut> SeedTable::stand_out() const {
   least("longest", [](const Figures& of) { return -of[4]; });
 
   // a line each
-  std::stable_sort(found.begin(), found.end(),
-                   [](const StandsOut& a, const StandsOut& b) { return a.seed < b.seed; });
+  std::ranges::stable_sort(found, {}, &StandsOut::seed);
   std::vector<StandsOut> merged;
   for (StandsOut& one : found)
     if (merged.empty() || merged.back().seed != one.seed)

@@ -52,8 +52,8 @@ std::optional<Stopping> read_stop(const Value& map, const Measures& measures,
     diagnostics.error(map.where_of("width"),
                       "stop: width: that of a share must be less than 1, got " + quote(stop.width));
   if (stop.least > stop.most)
-    diagnostics.error(map.where_of("most"),
-                      fmt::format("stop: most: {} is less than least, {}", stop.most, stop.least));
+    diagnostics.error(map.where_of("most"), "stop: most: {} is less than least, {}", stop.most,
+                      stop.least);
   const auto index = static_cast<std::size_t>(measure - measures.estimates.data());
   return Stopping{index, width.value, stop.confidence, stop.least, stop.most, stop.every};
 }
@@ -85,16 +85,16 @@ void refuse_idle_sets(const Spec& spec, Diagnostics& diagnostics) {
     const Location& where = spec.sets_where[i];
     const std::string path = set.substr(0, scenario::path_size(set));
     if (path.size() == set.size())
-      diagnostics.error(where, fmt::format("set: expected path=value, got {}", quote(set)));
+      diagnostics.error(where, "set: expected path=value, got {}", quote(set));
     else if (path == "seed")
-      diagnostics.error(where, fmt::format("set: {}", kSeed));
+      diagnostics.error(where, "set: {}", kSeed);
     else if (const auto [there, fresh] = first.emplace(path, i); !fresh)
-      diagnostics.error(where, fmt::format("set: {} is set twice (also at {})", quote(path),
-                                           spec.sets_where[there->second].text()));
+      diagnostics.error(where, "set: {} is set twice (also at {})", quote(path),
+                        spec.sets_where[there->second].text());
   }
   for (const Factor& factor : spec.factors)
-    if (std::find(factor.paths.begin(), factor.paths.end(), "seed") != factor.paths.end())
-      diagnostics.error(factor.where, fmt::format("{}: {}", factor.name, kSeed));
+    if (std::ranges::find(factor.paths, "seed") != factor.paths.end())
+      diagnostics.error(factor.where, "{}: {}", factor.name, kSeed);
 }
 
 std::string refuses(std::string_view what, std::string_view value) {
@@ -110,10 +110,9 @@ std::optional<Diagnostic> setter_of(const Diagnostics& wrong, const Spec& spec, 
     const Factor& factor = spec.factors[f];
     const std::string& value = cell.values[f];
     const std::vector<std::string> sets = factor.sets_of(value);
-    if (std::none_of(sets.begin(), sets.end(), is_in))
+    if (std::ranges::none_of(sets, is_in))
       continue;
-    const auto level = std::find_if(factor.levels.begin(), factor.levels.end(),
-                                    [&](const Level& l) { return l.name == value; });
+    const auto level = std::ranges::find(factor.levels, value, &Level::name);
     return Diagnostic{level == factor.levels.end() ? factor.where : level->where,
                       refuses(factor.name, value)};
   }
@@ -153,9 +152,8 @@ const Measure* find_measure(const Measures& measures, const Value& map, std::str
     else
       names.push_back(m.name);
   if (wanted)
-    diagnostics.error(wanted->where,
-                      fmt::format("{}: there is no measure {}{}", owner, quote(wanted->text),
-                                  nearest_or_all(wanted->text, names)));
+    diagnostics.error(wanted->where, "{}: there is no measure {}{}", owner, quote(wanted->text),
+                      nearest_or_all(wanted->text, names));
   return nullptr;
 }
 
@@ -232,8 +230,7 @@ void check_parts(const Spec& spec) {
   if (spec.stop)
     diagnostics.error(
         document.where_of("stop"),
-        "stop: needs the results of all parts; without it, 'replicates' says how many "
-        "are flown");
+        "stop: needs the results of all parts; without it, 'replicates' says how many are flown");
   if (spec.budget.replicates)
     diagnostics.error(budget->where_of("replicates"),
                       "budget: replicates: a part does not know how many the others have flown");
@@ -274,7 +271,7 @@ void check(const Spec& spec, const Load& load) {
         return std::strtod(a.values[f].c_str(), nullptr) <
                std::strtod(b.values[f].c_str(), nullptr);
       };
-      const auto [least, most] = std::minmax_element(cells.begin(), cells.end(), less);
+      const auto [least, most] = std::ranges::minmax_element(cells, less);
       values = {{least->values[f], factor.where}, {most->values[f], factor.where}};
     }
     for (const auto& [value, where] : values) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/store.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
-#include "disk/work_folder.hpp"
+#include "disk/output.hpp"
 #include "record/csv.hpp"
 
 namespace eyrie::campaign {
@@ -33,37 +32,27 @@ CREATE TABLE faults (cell INTEGER, replicate INTEGER, seed INTEGER, what TEXT, c
 /// Before results are added, of which the hash is another one.
 constexpr const char* kBegin = "BEGIN; DELETE FROM campaign WHERE name = 'hash'";
 
-/// Names of columns of a table that has those already: another one where SQL would not tell them
-/// apart.
+constexpr std::array kOfReplicates{"cell",   "replicate", "seed", "outcome",
+                                   "time_s", "steps",     "hash"};
+
+/// Names of columns beside those of `replicates` and `taken` ones, as in results.csv and joins:
+/// another one where SQL would not tell them apart.
 std::vector<std::string> distinct(std::vector<std::string> names, std::vector<std::string> taken) {
+  taken.insert(taken.end(), kOfReplicates.begin(), kOfReplicates.end());
   for (std::string& name : names) {
-    while (std::any_of(taken.begin(), taken.end(),
-                       [&](const std::string& t) { return to_small(t) == to_small(name); }))
+    while (std::ranges::any_of(taken,
+                               [&](const std::string& t) { return to_small(t) == to_small(name); }))
       name += '_';
     taken.push_back(name);
   }
   return names;
 }
 
-constexpr std::array kOfReplicates{"cell",   "replicate", "seed", "outcome",
-                                   "time_s", "steps",     "hash"};
-
 std::vector<std::string> factor_names(const Spec& spec) {
-  std::vector<std::string> names;
-  for (const Factor& factor : spec.factors)
-    names.push_back(factor.name);
-  std::vector<std::string> taken{"command"};
-  taken.insert(taken.end(), kOfReplicates.begin(), kOfReplicates.end());
-  return distinct(names, taken);
+  return distinct(listed(spec.factors, &Factor::name), {"command"});
 }
 std::vector<std::string> column_names(const Spec& spec) {
-  std::vector<std::string> names;
-  for (const Column& column : spec.measures.columns)
-    names.push_back(column.name);
-  // results.csv and joins have both side by side
-  std::vector<std::string> taken = factor_names(spec);
-  taken.insert(taken.end(), kOfReplicates.begin(), kOfReplicates.end());
-  return distinct(names, taken);
+  return distinct(listed(spec.measures.columns, &Column::name), factor_names(spec));
 }
 
 /// ", \"a\" REAL, \"b\" TEXT"
@@ -103,13 +92,12 @@ double seconds_in(Database& database) {
 /// These are tables of a campaign, and such as this program writes.
 void demand_format(Database& database, const std::string& file) {
   if (!begun(database))
-    throw disk::Refused(fmt::format("{} is no campaign", quote_path(file)));
+    throw disk::Refused("{} is no campaign", quote_path(file));
   Statement format = database.prepare("SELECT value FROM campaign WHERE name = 'format'");
   if (const std::string said = format.step() ? format.text(0) : "none";
       said != std::to_string(kFormat))
-    throw disk::Refused(
-        fmt::format("{} was written by another version of Eyrie: its format is {}, not {}",
-                    quote_path(file), quote(said), kFormat));
+    throw disk::Refused("{} was written by another version of Eyrie: its format is {}, not {}",
+                        quote_path(file), quote(said), kFormat);
 }
 
 /// Before anything is written: somebody else's database may have that name, or another origin.
@@ -122,7 +110,7 @@ void demand_ours(const std::string& file, const Origin& own, const std::string& 
     demand_format(there, file);
     campaign::demand_the_same(there, own, folder);
   } else if (there.prepare("SELECT 1 FROM sqlite_master").step())
-    throw disk::Refused(fmt::format("{} is there already, and is no campaign", quote_path(file)));
+    throw disk::Refused("{} is there already, and is no campaign", quote_path(file));
 }
 
 bool is_of_campaign(const std::string& name) {
@@ -235,8 +223,7 @@ void Store::count() {
   while (counted.step()) {
     const auto cell = static_cast<std::size_t>(counted.integer(0));
     if (cell >= counts_.size())
-      throw disk::Refused(
-          fmt::format("{} is damaged: there is no cell {}", quote_path(folder_), cell));
+      throw disk::Refused("{} is damaged: there is no cell {}", quote_path(folder_), cell);
     counts_[cell] = static_cast<std::uint64_t>(counted.integer(1));
   }
 }
@@ -353,7 +340,7 @@ void Store::finish() {
 Database open_results(const std::string& folder, Database::Access access) {
   const std::string file = fmt::format("{}/{}", folder, kStoreName);
   if (::access(file.c_str(), F_OK) != 0)
-    throw disk::Refused(fmt::format("there is no campaign in {}", quote_path(folder)));
+    throw disk::Refused("there is no campaign in {}", quote_path(folder));
   Database database(file, access);
   database.distrust();
   demand_format(database, file);
@@ -364,15 +351,20 @@ disk::OutputFile table_in(const std::string& folder) {
   return {fmt::format("{}/{}", folder, kTableName), true};
 }
 
+std::vector<std::string> columns_of(Database& database, std::string_view table, int first) {
+  const Statement all = database.prepare(fmt::format("SELECT * FROM {}", table));
+  std::vector<std::string> names;
+  for (int i = first; i < all.columns(); ++i)
+    names.push_back(all.column_name(i));
+  return names;
+}
+
 void write_table(Database& database, const std::string& folder) {
   std::string columns = "r.cell";
-  const auto add = [&](const char* table, char letter, int first) {
-    const Statement all = database.prepare(fmt::format("SELECT * FROM {}", table));
-    for (int i = first; i < all.columns(); ++i)
-      columns += fmt::format(", {}.{}", letter, sql_name(all.column_name(i)));
-  };
-  add("cells", 'c', 2);
-  add("replicates", 'r', 1);
+  for (const std::string& name : columns_of(database, "cells", 2))
+    columns += ", c." + sql_name(name);
+  for (const std::string& name : columns_of(database, "replicates", 1))
+    columns += ", r." + sql_name(name);
   Statement rows = database.prepare(fmt::format(
       "SELECT {} FROM replicates r JOIN cells c USING (cell) ORDER BY r.cell, r.replicate",
       columns));

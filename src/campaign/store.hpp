@@ -42,8 +42,6 @@ class Store {
   Store(const std::string& folder, const Spec& spec, std::span<const Cell> cells,
         const Origin& origin, bool resume);
   ~Store();
-  Store(const Store&) = delete;
-  Store& operator=(const Store&) = delete;
 
   /// Keeps a result; it is committed with others after a second at most, if others come.
   void put(const Result& result);
@@ -85,6 +83,10 @@ class Store {
 /// none, or one that another version wrote.
 [[nodiscard]] Database open_results(const std::string& folder,
                                     Database::Access access = Database::Access::read);
+
+/// The columns of a table from the one numbered `first` on.
+[[nodiscard]] std::vector<std::string> columns_of(Database& database, std::string_view table,
+                                                  int first);
 
 /// results.csv in a folder, to be written; throws if it cannot be.
 [[nodiscard]] disk::OutputFile table_in(const std::string& folder);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/summary.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "campaign/store.hpp"
@@ -12,21 +10,11 @@ namespace {
 
 constexpr std::string_view kFaultsKept = "100";
 
-/// The columns of a table from the one numbered `first` on.
-std::vector<std::string> names_from(Database& database, std::string_view table, int first) {
-  const Statement all = database.prepare(fmt::format("SELECT * FROM {}", table));
-  std::vector<std::string> names;
-  for (int i = first; i < all.columns(); ++i)
-    names.push_back(all.column_name(i));
-  return names;
-}
-
 void read_measures(Database& database, const std::vector<std::string>& columns, Summary& summary) {
   const auto index = [&](const std::string& name) {
-    const auto found = std::find(columns.begin(), columns.end(), name);
+    const auto found = std::ranges::find(columns, name);
     if (found == columns.end())
-      throw disk::Refused(
-          fmt::format("the results are damaged: there is no column {}", quote(name)));
+      throw disk::Refused("the results are damaged: there is no column {}", quote(name));
     return static_cast<std::size_t>(found - columns.begin());
   };
   Statement all = database.prepare(
@@ -56,8 +44,8 @@ Summary read_summary(const std::string& folder, double confidence) {
       if (key == name)
         *text = said.text(1);
   }
-  summary.factors = names_from(database, "cells", 2);
-  read_measures(database, names_from(database, "replicates", kFirstColumn), summary);
+  summary.factors = columns_of(database, "cells", 2);
+  read_measures(database, columns_of(database, "replicates", kFirstColumn), summary);
 
   Statement cells = database.prepare("SELECT * FROM cells ORDER BY cell");
   while (cells.step()) {

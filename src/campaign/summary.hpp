@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What the results in a folder say: cell by cell, and one cell against another.
-#include "campaign/estimate.hpp"
+#include "campaign/measure.hpp"
 #include "sql/database.hpp"
 
 namespace eyrie::campaign {

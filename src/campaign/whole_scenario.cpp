@@ -5,7 +5,6 @@
 
 #include "campaign/factor.hpp"
 #include "pilot/policy/policy_file.hpp"
-#include "scenario/node_files.hpp"
 
 namespace eyrie::campaign {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/bind.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 
@@ -11,14 +9,13 @@
 namespace eyrie::detail {
 namespace {
 
-void report(const Value& value, const ParamInfo& info, std::string_view message,
-            Diagnostics& diagnostics) {
-  diagnostics.error(value.where, fmt::format("{}: {}", info.name, message));
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+/// False, as what is told of is wrong.
+template <class... T>
+bool report(Diagnostics& diagnostics, const Value& value, const ParamInfo& info,
+            fmt::format_string<T...> words, T&&... values) {
+  diagnostics.error(value.where, "{}: {}", info.name,
+                    fmt::format(words, std::forward<T>(values)...));
+  return false;
 }
 
 /// A quantity that only rounding keeps from a limit is at the limit: 90 deg is half of pi.
@@ -41,10 +38,8 @@ std::string as_written(const Value& value) {
 bool check_range(double x, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
   if (info.limits.contains(x))
     return true;
-  report(value, info,
-         fmt::format("{} is {}", as_written(value), limits_text(info.limits, info.unit.dimension)),
-         diagnostics);
-  return false;
+  return report(diagnostics, value, info, "{} is {}", as_written(value),
+                limits_text(info.limits, info.unit.dimension));
 }
 
 /// A plain number in quotes is a text; a quantity is a text for YAML anyway.
@@ -62,40 +57,32 @@ bool check_keys(const Value& map, std::string_view type_name, std::string_view p
                 std::span<const std::string_view> names,
                 std::span<const std::string_view> also_allowed, Diagnostics& diagnostics) {
   if (!map.is_map()) {
-    diagnostics.error(map.where, fmt::format("{}: expected a map, got {}",
-                                             path.empty() ? type_name : path, map.shown()));
+    diagnostics.error(map.where, "{}: expected a map, got {}", path.empty() ? type_name : path,
+                      map.shown());
     return false;
   }
   std::vector<std::string_view> allowed(names.begin(), names.end());
   allowed.insert(allowed.end(), also_allowed.begin(), also_allowed.end());
   for (const Value::Entry& entry : map.entries)
-    if (std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end())
-      diagnostics.error(entry.where,
-                        fmt::format("{}{} has no parameter {}{}", prefix(path), type_name,
-                                    quote(entry.key), nearest_or_all(entry.key, allowed)));
+    if (std::ranges::find(allowed, entry.key) == allowed.end())
+      diagnostics.error(entry.where, "{}{} has no parameter {}{}", prefix(path), type_name,
+                        quote(entry.key), nearest_or_all(entry.key, allowed));
   return true;
 }
 
 void report_missing(const Value& map, std::string_view type_name, std::string_view path,
                     std::string_view name, Diagnostics& diagnostics) {
-  diagnostics.error(map.where,
-                    fmt::format("{}{} needs the parameter '{}'", prefix(path), type_name, name));
+  diagnostics.error(map.where, "{}{} needs the parameter '{}'", prefix(path), type_name, name);
 }
 
 bool read_number(double& out, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
   const Dimension dimension = info.unit.dimension;
-  if (!value.is_scalar() || (value.quoted && dimension == Dimension::none)) {
-    report(value, info,
-           fmt::format("expected {} such as '{}', got {}", dimension_noun(dimension),
-                       dimension_example(dimension), shown(value)),
-           diagnostics);
-    return false;
-  }
+  if (!value.is_scalar() || (value.quoted && dimension == Dimension::none))
+    return report(diagnostics, value, info, "expected {} such as '{}', got {}",
+                  dimension_noun(dimension), dimension_example(dimension), shown(value));
   const Parsed parsed = parse_quantity(value.text, dimension);
-  if (!parsed) {
-    report(value, info, parsed.error, diagnostics);
-    return false;
-  }
+  if (!parsed)
+    return report(diagnostics, value, info, "{}", parsed.error);
   const double x = snapped(parsed.value, info);
   if (!check_range(x, value, info, diagnostics))
     return false;
@@ -105,23 +92,18 @@ bool read_number(double& out, const Value& value, const ParamInfo& info, Diagnos
 
 bool check_list(const Value& value, std::size_t least, std::size_t most, const ParamInfo& info,
                 Diagnostics& diagnostics) {
-  if (!value.is_list()) {
-    report(value, info, "expected a list, got " + value.shown(), diagnostics);
-    return false;
-  }
+  if (!value.is_list())
+    return report(diagnostics, value, info, "expected a list, got {}", value.shown());
   const std::size_t size = value.items.size();
   if (size >= least && size <= most)
     return true;
   const bool exact = least == most;
   const std::size_t bound = size < least ? least : most;
-  report(value, info,
-         fmt::format("expected {} {} {}, got {}",
-                     exact          ? "exactly"
-                     : size < least ? "at least"
-                                    : "at most",
-                     bound, bound == 1 ? "item" : "items", size),
-         diagnostics);
-  return false;
+  return report(diagnostics, value, info, "expected {} {} {}, got {}",
+                exact          ? "exactly"
+                : size < least ? "at least"
+                               : "at most",
+                bound, bound == 1 ? "item" : "items", size);
 }
 
 ParamInfo item_info(const ParamInfo& list, std::size_t index) {
@@ -137,10 +119,8 @@ namespace {
 bool read_boolean(std::uint64_t& out, const Value& value, const ParamInfo& info,
                   Diagnostics& diagnostics) {
   const bool plain = value.is_scalar() && !value.quoted;
-  if (!plain || (value.text != "true" && value.text != "false")) {
-    report(value, info, "expected true or false, got " + shown(value), diagnostics);
-    return false;
-  }
+  if (!plain || (value.text != "true" && value.text != "false"))
+    return report(diagnostics, value, info, "expected true or false, got {}", shown(value));
   out = value.text == "true";
   return true;
 }
@@ -156,10 +136,8 @@ bool read_integer(std::uint64_t& out, const ValueType& type, const Value& value,
       std::from_chars(digits.data(), digits.data() + digits.size(), magnitude);
   const bool whole = value.is_scalar() && !value.quoted && !digits.empty() &&
                      end == digits.data() + digits.size() && error != std::errc::invalid_argument;
-  if (!whole) {
-    report(value, info, "expected a whole number, got " + shown(value), diagnostics);
-    return false;
-  }
+  if (!whole)
+    return report(diagnostics, value, info, "expected a whole number, got {}", shown(value));
   const double x = negative ? -static_cast<double>(magnitude) : static_cast<double>(magnitude);
   if (error == std::errc{} && !check_range(x, value, info, diagnostics))
     return false;
@@ -168,11 +146,8 @@ bool read_integer(std::uint64_t& out, const ValueType& type, const Value& value,
     const auto [min, max, exclusive] = info.limits;
     const std::int64_t least = min > double(type.least) ? std::int64_t(min) : type.least;
     const std::uint64_t most = max < double(type.most) ? std::uint64_t(max) : type.most;
-    report(value, info,
-           fmt::format("{} is outside {}{}, {}]", as_written(value), exclusive ? '(' : '[', least,
-                       most),
-           diagnostics);
-    return false;
+    return report(diagnostics, value, info, "{} is outside {}{}, {}]", as_written(value),
+                  exclusive ? '(' : '[', least, most);
   }
   out = negative ? 0 - magnitude : magnitude;
   return true;
@@ -180,10 +155,8 @@ bool read_integer(std::uint64_t& out, const ValueType& type, const Value& value,
 
 bool read_text(std::string& out, const Value& value, const ParamInfo& info,
                Diagnostics& diagnostics) {
-  if (!value.is_scalar()) {
-    report(value, info, "expected a text, got " + value.shown(), diagnostics);
-    return false;
-  }
+  if (!value.is_scalar())
+    return report(diagnostics, value, info, "expected a text, got {}", value.shown());
   // a block of YAML ends in a line break
   const std::string_view text =
       std::string_view(value.text).substr(0, value.text.size() - value.text.ends_with('\n'));
@@ -199,22 +172,18 @@ bool read_text(std::string& out, const Value& value, const ParamInfo& info,
   if (problem.empty())
     out = text;
   else
-    report(value, info, problem, diagnostics);
+    report(diagnostics, value, info, "{}", problem);
   return problem.empty();
 }
 
 bool read_choice(std::uint64_t& out, const ValueType& type, const Value& value,
                  const ParamInfo& info, Diagnostics& diagnostics) {
   const std::span<const std::string_view> names = type.names;
-  const auto found =
-      value.is_scalar() ? std::find(names.begin(), names.end(), value.text) : names.end();
+  const auto found = value.is_scalar() ? std::ranges::find(names, value.text) : names.end();
   if (found == names.end()) {
     const std::string hint = value.is_scalar() ? did_you_mean(value.text, names) : "";
-    report(value, info,
-           fmt::format("expected {}{}, got {}{}", names.size() > 1 ? "one of " : "",
-                       fmt::join(names, ", "), value.shown(), hint),
-           diagnostics);
-    return false;
+    return report(diagnostics, value, info, "expected {}{}, got {}{}",
+                  names.size() > 1 ? "one of " : "", fmt::join(names, ", "), value.shown(), hint);
   }
   out = type.values[static_cast<std::size_t>(found - names.begin())];
   return true;
@@ -248,10 +217,8 @@ bool read_parts(const ValueType& type, void* out, const Value& value, const Para
 bool read(const ValueType& type, void* out, const Value& value, const ParamInfo& info,
           Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.count();
-  if (!value.tag.empty()) {
-    report(value, info, "unexpected tag " + quote(value.tag), diagnostics);
-    return false;
-  }
+  if (!value.tag.empty())
+    return report(diagnostics, value, info, "unexpected tag {}", quote(value.tag));
   std::uint64_t bits = 0;
   double number = 0;
   bool good = true;
@@ -272,8 +239,7 @@ bool read(const ValueType& type, void* out, const Value& value, const ParamInfo&
     case ParamKind::number:
       good = read_number(number, value, info, diagnostics);
       if (good && type.is_float && std::fabs(number) > double(std::numeric_limits<float>::max())) {
-        report(value, info, fmt::format("{} is too large for this parameter", as_written(value)),
-               diagnostics);
+        report(diagnostics, value, info, "{} is too large for this parameter", as_written(value));
         good = false;
       }
       bits = std::bit_cast<std::uint64_t>(number);

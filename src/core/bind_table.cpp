@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 
 #include "core/bind.hpp"
 
@@ -27,7 +26,7 @@ class TableReader {
       names.push_back(axis.name);
     names.push_back(kValueKey);
     if (!map.is_map()) {
-      error(map, table.name, "expected a table, got " + map.shown());
+      error(map, table.name, "expected a table, got {}", map.shown());
       return;
     }
     check_keys(map, "the table", table.name, names, std::array{kUnitsKey}, diagnostics);
@@ -51,8 +50,8 @@ class TableReader {
     for (std::size_t i = 1; i < result.size() && diagnostics_.count() == before; ++i)
       if (result[i] <= result[i - 1])
         error(axis.list->items[i], fmt::format("{}[{}]", axis.info.name, i),
-              fmt::format("{} is not above {}: breakpoints must increase", axis.list->items[i].text,
-                          axis.list->items[i - 1].text));
+              "{} is not above {}: breakpoints must increase", axis.list->items[i].text,
+              axis.list->items[i - 1].text);
     return result;
   }
 
@@ -66,13 +65,15 @@ class TableReader {
   /// What only the table itself finds wrong, such as breakpoints too far apart.
   bool accept(const std::optional<std::string>& problem) {
     if (problem)
-      error(map_, table_.name, *problem);
+      error(map_, table_.name, "{}", *problem);
     return !problem;
   }
 
  private:
-  void error(const Value& at, std::string_view path, std::string_view message) {
-    diagnostics_.error(at.where, fmt::format("{}: {}", path, message));
+  template <class... T>
+  void error(const Value& at, std::string_view path, fmt::format_string<T...> words,
+             T&&... values) {
+    diagnostics_.error(at.where, "{}: {}", path, fmt::format(words, std::forward<T>(values)...));
   }
 
   Series series(std::string_view key, Unit unit, Range limits) {
@@ -91,7 +92,7 @@ class TableReader {
     if (known && known->dimension == unit.dimension)
       result.shared = known;
     else
-      error(*symbol, fmt::format("{}.units.{}", table_.name, key),
+      error(*symbol, fmt::format("{}.units.{}", table_.name, key), "{}",
             unit.dimension == Dimension::none
                 ? fmt::format("these are plain numbers and have no unit, got {}", symbol->shown())
                 : fmt::format("expected the unit of {}, such as '{}', got {}",

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/describe.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/bind.hpp"
@@ -10,8 +8,7 @@
 namespace eyrie {
 
 const Parameter* Description::find(std::string_view name) const {
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const Parameter& p) { return p.name == name; });
+  const auto found = std::ranges::find(parameters, name, &Parameter::name);
   return found == parameters.end() ? nullptr : &*found;
 }
 
@@ -27,7 +24,7 @@ double number_in(const ValueType& type, const void* value) {
 }
 /// "" if it is none of the choices.
 std::string_view choice_in(const ValueType& type, const void* value) {
-  const auto found = std::find(type.values.begin(), type.values.end(), type.load(value));
+  const auto found = std::ranges::find(type.values, type.load(value));
   return found == type.values.end()
              ? ""
              : type.names[static_cast<std::size_t>(found - type.values.begin())];

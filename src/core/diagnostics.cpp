@@ -87,7 +87,7 @@ std::string near_or_all(std::string_view wrong, std::span<const Name> names) {
     return hint;
   std::vector<std::string_view> once;
   for (const std::string_view name : names)
-    if (once.size() < kGlance && std::find(once.begin(), once.end(), name) == once.end())
+    if (once.size() < kGlance && std::ranges::find(once, name) == once.end())
       once.push_back(name);
   const std::string all = printable(fmt::format(", only {}", fmt::join(once, ", ")));
   return all.size() <= kGlance ? all : "";
@@ -120,10 +120,11 @@ std::string Diagnostic::text() const {
   return printable(place.empty() ? message : fmt::format("{}: {}", place, message), kLongestLine);
 }
 
-void Diagnostics::error(Location where, std::string message) {
+std::nullopt_t Diagnostics::error(Location where, std::string message) {
   if (!full())
     found_.push_back({where, std::move(message)});
   ++count_;
+  return std::nullopt;
 }
 
 void Diagnostics::merge(const Diagnostics& other) {
@@ -143,7 +144,7 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
     const std::size_t rank = files.emplace(d.where.file.text(), files.size()).first->second;
     places.emplace_back(rank, d.where.line, d.where.column, places.size());
   }
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
 
   // equal mistakes share a place, but others of that place may stand between them
   std::vector<Diagnostic> unique;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Mistakes in files: where they are, what they say, and the nearest right name.
+#include <fmt/format.h>
+
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -53,7 +57,13 @@ struct Diagnostic {
 /// makes more than anybody would read the rest is counted only.
 class Diagnostics {
  public:
-  void error(Location where, std::string message);
+  /// Gives nothing, which a reader may pass on: `return diagnostics.error(...)`.
+  std::nullopt_t error(Location where, std::string message);
+  template <class... T>
+  requires(sizeof...(T) > 0) std::nullopt_t
+      error(Location where, fmt::format_string<T...> message, T&&... values) {
+    return error(where, fmt::format(message, std::forward<T>(values)...));
+  }
   void merge(const Diagnostics& other);
 
   [[nodiscard]] bool ok() const { return count_ == 0; }
@@ -83,6 +93,10 @@ class ConfigError : public std::runtime_error {
  public:
   explicit ConfigError(Diagnostics diagnostics);
   ConfigError(Location where, std::string message);
+  template <class... T>
+  requires(sizeof...(T) > 0)
+      ConfigError(Location where, fmt::format_string<T...> message, T&&... values)
+      : ConfigError(where, fmt::format(message, std::forward<T>(values)...)) {}
 
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
 
@@ -100,6 +114,15 @@ class ConfigError : public std::runtime_error {
                                          std::span<const std::string_view> names);
 [[nodiscard]] std::string nearest_or_all(std::string_view wrong,
                                          std::span<const std::string> names);
+
+/// The names of some things, for these: `nearest_or_all(wrong, listed(measures, &Measure::name))`.
+template <class Things, class Name>
+[[nodiscard]] std::vector<std::string> listed(const Things& things, Name name) {
+  std::vector<std::string> names;
+  for (const auto& thing : things)
+    names.emplace_back(std::invoke(name, thing));
+  return names;
+}
 
 /// The printable() text in single quotes; one that is longer than 60 characters is cut with "...".
 [[nodiscard]] std::string quote(std::string_view text);

@@ -123,7 +123,7 @@ std::size_t columns(std::string_view text) {
 
 bool is_identifier(std::string_view text) {
   return !text.empty() && text.size() <= kLongestIdentifier && begins_identifier(text.front()) &&
-         std::all_of(text.begin(), text.end(), continues_identifier);
+         std::ranges::all_of(text, continues_identifier);
 }
 
 std::optional<std::string> identifier_problem(std::string_view text) {

@@ -32,6 +32,12 @@ namespace eyrie {
 /// With small letters in place of capitals.
 [[nodiscard]] std::string to_small(std::string text);
 
+/// Without blanks and tabs around it.
+[[nodiscard]] constexpr std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 /// The number that a whole text is, without spaces and '+'; nothing if it is none or T cannot hold
 /// it.
 template <class T>

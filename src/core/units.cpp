@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
 
-#include <fmt/format.h>
 #include <version>
 #ifndef __cpp_lib_to_chars  // libc++ 19
 #include <fast_float/fast_float.h>
@@ -112,21 +111,8 @@ constexpr bool habits_are_no_units_and_lead_to_one() {
 }
 static_assert(habits_are_no_units_and_lead_to_one());
 
-constexpr bool is_space(char c) {
-  return c == ' ' || c == '\t';
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_space(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back()))
-    text.remove_suffix(1);
-  return text;
-}
-
 bool equal_but_for_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return to_small(x) == to_small(y); });
+  return std::ranges::equal(a, b, [](char x, char y) { return to_small(x) == to_small(y); });
 }
 
 /// The unit that an unknown spelling was meant to be, preferring the expected dimension.
@@ -214,7 +200,7 @@ std::string three_digits(double x, int more) {
 std::size_t reading_cost(std::string_view number) {
   const auto is_significant = [](char c) { return c >= '1' && c <= '9'; };
   const std::string_view mantissa = number.substr(0, number.find('e'));
-  const auto first = std::find_if(mantissa.begin(), mantissa.end(), is_significant);
+  const auto first = std::ranges::find_if(mantissa, is_significant);
   const auto last = std::find_if(mantissa.rbegin(), mantissa.rend(), is_significant).base();
   const auto digits =
       first < last ? std::count_if(first, last, [](char c) { return c != '.'; }) : 0;

@@ -37,8 +37,7 @@ Value Value::map(std::vector<Entry> entries, Location where) {
 }
 
 const Value::Entry* Value::find_entry(std::string_view key) const {
-  const auto found = std::find_if(entries.begin(), entries.end(),
-                                  [&](const Entry& entry) { return entry.key == key; });
+  const auto found = std::ranges::find(entries, key, &Entry::key);
   return found == entries.end() ? nullptr : &*found;
 }
 

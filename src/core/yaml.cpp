@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/yaml.hpp"
 
-#include <fmt/format.h>
 #include <yaml.h>
 
 #include <algorithm>
@@ -29,7 +28,7 @@ constexpr std::array<std::string_view, 6> kTags{"!tree",    "!choice",      "!ra
 /// The line and column of a byte offset.
 Location place_of(std::string_view text, std::size_t offset, FileName file) {
   const std::string_view before = text.substr(0, offset);
-  const auto line = std::count(before.begin(), before.end(), '\n');
+  const auto line = std::ranges::count(before, '\n');
   const std::size_t column = characters(before.substr(before.rfind('\n') + 1));
   return {file, static_cast<int>(line) + 1, static_cast<int>(column) + 1};
 }
@@ -122,20 +121,20 @@ class Builder {
     std::erase_if(map.entries, [&](const Value::Entry& e) {
       const auto [earlier, fresh] = first.emplace(e.key, e.where.line);
       if (!fresh)
-        diagnostics_.error(e.where, fmt::format("{} is given twice (first at line {})",
-                                                quote(e.key), earlier->second));
+        diagnostics_.error(e.where, "{} is given twice (first at line {})", quote(e.key),
+                           earlier->second);
       return !fresh;
     });
   }
   /// A tag as it is written, after refusing one that nobody reads.
   std::string tag_of(const yaml_char_t* written, const Location& where) {
     std::string tag = text_of(written);
-    if (!written || std::find(kTags.begin(), kTags.end(), tag) != kTags.end())
+    if (!written || std::ranges::find(kTags, tag) != kTags.end())
       return tag;
     if (constexpr std::string_view kOfYaml = "tag:yaml.org,2002:"; tag.starts_with(kOfYaml))
       tag.replace(0, kOfYaml.size(), "!!");
-    diagnostics_.error(where, fmt::format("there is no tag {}, only {}{}", quote(tag),
-                                          fmt::join(kTags, ", "), did_you_mean(tag, kTags)));
+    diagnostics_.error(where, "there is no tag {}, only {}{}", quote(tag), fmt::join(kTags, ", "),
+                       did_you_mean(tag, kTags));
     return {};
   }
   [[noreturn]] static void refuse_key(const Location& where, const Value& shown) {
@@ -156,8 +155,8 @@ class Builder {
       if (is_null)
         refuse_key(where, Value());
       if (!tag.empty())
-        diagnostics_.error(
-            where, fmt::format("a key has no tag: write {} {{{}: ...}}", tag, printable(text, 40)));
+        diagnostics_.error(where, "a key has no tag: write {} {{{}: ...}}", tag,
+                           printable(text, 40));
       if (s.anchor) {
         Value anchored = Value::scalar(std::string(text), where);
         anchored.quoted = quoted;
@@ -201,8 +200,7 @@ class Builder {
   }
 
   void alias(const std::string& name, const Location& where) {
-    const bool is_open =
-        std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.anchor == name; });
+    const bool is_open = std::ranges::find(open_, name, &Open::anchor) != open_.end();
     if (is_open)
       throw Refused{where, "this alias stands inside what it refers to"};
     const auto known = anchors_.find(name);
@@ -328,7 +326,7 @@ Value parse_yaml(std::string_view text, std::string_view name, Diagnostics& diag
   const FileName file(name);
   const Location top{file, 1, 1};
   if (text.size() > limits.bytes) {
-    diagnostics.error(top, fmt::format("the file is larger than {} bytes", limits.bytes));
+    diagnostics.error(top, "the file is larger than {} bytes", limits.bytes);
     return {};
   }
   if (text.starts_with("\xEF\xBB\xBF"))  // a byte order mark, as Windows writes it

@@ -28,67 +28,18 @@ std::string transition(const Decision& now, ubf::NodeIndex sequencer) {
   return to + because;
 }
 
-}  // namespace
-
-std::string reason(const Won& won) {
-  if (won.rivals.empty())
-    return "nobody else asked for it";
-  if (won.blended)
-    return fmt::format("blended of {}", won.rivals.size());
-  const Rival& next = won.rivals.front();
-  return next.against > next.vote ? fmt::format("voted {:g} against {:g}", next.against, next.vote)
-         : next.against == next.vote
-             ? fmt::format("voted {:g} as the other did, and comes first", next.vote)
-             : fmt::format("{:g} against {:g}, by its place in the tree", next.against, next.vote);
-}
-
-std::string words(const Answer& answer) {
-  if (!answer.asked)
-    return "not asked";
-  if (answer.status == ubf::Status::failure)
-    return answer.why.empty() ? "failed" : "failed: " + answer.why;
-  std::string text(ubf::to_text(answer.status));
-  if (answer.vote > 0)
-    text += fmt::format(", votes {:g}", answer.vote);
-  return answer.why.empty() ? text : fmt::format("{} ({})", text, answer.why);
-}
-
-std::string why_not(const Decision& now, ubf::NodeIndex before) {
-  if (before >= now.nodes.size())
-    return "nobody led";
-  const Answer& then = now.nodes[before];
-  if (!then.asked) {
-    ubf::NodeIndex left = before;  // the highest node that was not asked
-    while (now.nodes[left].parent != ubf::kNone && !now.nodes[now.nodes[left].parent].asked)
-      left = now.nodes[left].parent;
-    const ubf::NodeIndex parent = now.nodes[left].parent;
-    if (parent != ubf::kNone && now.nodes[parent].type == "sequencer")
-      return now.nodes[left].label + " was left" + transition(now, parent);
-    return fmt::format("{} was not asked", now.nodes[left].label);
-  }
-  if (then.status == ubf::Status::failure)
-    return fmt::format("{} {}", then.label, words(then));
-  if (now.leader == ubf::kNone)
-    return fmt::format("{} proposed nothing", then.label);
-  const auto [mine, its] = parting(now.nodes, now.leader, before);
-  return fmt::format("{} voted {:g} against {:g}", then.label, now.nodes[its].counted(),
-                     now.nodes[mine].counted());
-}
-
-namespace {
-
 template <class Visit>
 void each_value(Decision& d, Visit visit) {
   for (Answer& answer : d.nodes)
-    std::for_each(answer.action.begin(), answer.action.end(), visit);
+    std::ranges::for_each(answer.action, visit);
   for (Won& won : d.action) {
     visit(won.value);
     for (Rival& rival : won.rivals)
       visit(rival.value);
   }
-  std::for_each(d.state.begin(), d.state.end(), visit);
+  std::ranges::for_each(d.state, visit);
   for (Perceived& one : d.perceived)
-    std::for_each(one.values.begin(), one.values.end(), visit);
+    std::ranges::for_each(one.values, visit);
 }
 
 /// "#3 (bogey1)": as the agent knows it, and who it really was.
@@ -98,41 +49,6 @@ std::string debrief_name(const Perceived& one, const scenario::Scenario& scenari
              ? fmt::format("#{} ({})", one.number, record::name_in(scenario, world, one.truth))
              : fmt::format("#{}", one.number);
 }
-
-}  // namespace
-
-void put_names(std::string& text, const Decision& decision, const scenario::Scenario& scenario) {
-  constexpr std::string_view kStore = "store ";  // as pilot::Release is written
-  if (text.starts_with(kStore))
-    text.replace(0, text.find(' ', kStore.size()),
-                 record::store_label(scenario, std::strtof(text.c_str() + kStore.size(), nullptr)));
-  const std::size_t number = text.rfind('#');
-  if (number == std::string::npos)
-    return;
-  for (const Perceived& one : decision.perceived)
-    if ((one.kind == "target" || one.kind == "track") &&
-        std::string_view(text).substr(number + 1) == std::to_string(one.number))
-      text.replace(number, std::string::npos, one.name);
-}
-
-std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::World& before,
-                                const sim::World& after, PlayerId who,
-                                std::span<const sim::Order> orders) {
-  std::optional<Decision> decision;
-  if (const auto found = scenario.find(before, who))
-    found->fleet.agents->look_again(before, after, who, orders, [&](const team::AnyMoment& m) {
-      decision = m.decision();
-      for (Perceived& one : decision->perceived)
-        one.name = debrief_name(one, scenario, before);
-      each_value(*decision, [&](Value& value) { put_names(value.text, *decision, scenario); });
-      for (Changed& field : decision->overruled)
-        for (std::string* text : {&field.flown, &field.other})
-          put_names(*text, *decision, scenario);
-    });
-  return decision;
-}
-
-namespace {
 
 using Json = nlohmann::ordered_json;
 
@@ -276,6 +192,82 @@ Json won_json(const Decision& d, const Won& won) {
 
 }  // namespace
 
+std::string reason(const Won& won) {
+  if (won.rivals.empty())
+    return "nobody else asked for it";
+  if (won.blended)
+    return fmt::format("blended of {}", won.rivals.size());
+  const Rival& next = won.rivals.front();
+  return next.against > next.vote ? fmt::format("voted {:g} against {:g}", next.against, next.vote)
+         : next.against == next.vote
+             ? fmt::format("voted {:g} as the other did, and comes first", next.vote)
+             : fmt::format("{:g} against {:g}, by its place in the tree", next.against, next.vote);
+}
+
+std::string words(const Answer& answer) {
+  if (!answer.asked)
+    return "not asked";
+  if (answer.status == ubf::Status::failure)
+    return answer.why.empty() ? "failed" : "failed: " + answer.why;
+  std::string text(ubf::to_text(answer.status));
+  if (answer.vote > 0)
+    text += fmt::format(", votes {:g}", answer.vote);
+  return answer.why.empty() ? text : fmt::format("{} ({})", text, answer.why);
+}
+
+std::string why_not(const Decision& now, ubf::NodeIndex before) {
+  if (before >= now.nodes.size())
+    return "nobody led";
+  const Answer& then = now.nodes[before];
+  if (!then.asked) {
+    ubf::NodeIndex left = before;  // the highest node that was not asked
+    while (now.nodes[left].parent != ubf::kNone && !now.nodes[now.nodes[left].parent].asked)
+      left = now.nodes[left].parent;
+    const ubf::NodeIndex parent = now.nodes[left].parent;
+    if (parent != ubf::kNone && now.nodes[parent].type == "sequencer")
+      return now.nodes[left].label + " was left" + transition(now, parent);
+    return fmt::format("{} was not asked", now.nodes[left].label);
+  }
+  if (then.status == ubf::Status::failure)
+    return fmt::format("{} {}", then.label, words(then));
+  if (now.leader == ubf::kNone)
+    return fmt::format("{} proposed nothing", then.label);
+  const auto [mine, its] = parting(now.nodes, now.leader, before);
+  return fmt::format("{} voted {:g} against {:g}", then.label, now.nodes[its].counted(),
+                     now.nodes[mine].counted());
+}
+
+void put_names(std::string& text, const Decision& decision, const scenario::Scenario& scenario) {
+  constexpr std::string_view kStore = "store ";  // as pilot::Release is written
+  if (text.starts_with(kStore))
+    text.replace(0, text.find(' ', kStore.size()),
+                 record::store_label(scenario, std::strtof(text.c_str() + kStore.size(), nullptr)));
+  const std::size_t number = text.rfind('#');
+  if (number == std::string::npos)
+    return;
+  for (const Perceived& one : decision.perceived)
+    if ((one.kind == "target" || one.kind == "track") &&
+        std::string_view(text).substr(number + 1) == std::to_string(one.number))
+      text.replace(number, std::string::npos, one.name);
+}
+
+std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::World& before,
+                                const sim::World& after, PlayerId who,
+                                std::span<const sim::Order> orders) {
+  std::optional<Decision> decision;
+  if (const auto found = scenario.find(before, who))
+    found->fleet.agents->look_again(before, after, who, orders, [&](const team::AnyMoment& m) {
+      decision = m.decision();
+      for (Perceived& one : decision->perceived)
+        one.name = debrief_name(one, scenario, before);
+      each_value(*decision, [&](Value& value) { put_names(value.text, *decision, scenario); });
+      for (Changed& field : decision->overruled)
+        for (std::string* text : {&field.flown, &field.other})
+          put_names(*text, *decision, scenario);
+    });
+  return decision;
+}
+
 std::string label_of(const Decision& decision, ubf::NodeIndex node) {
   return node < decision.nodes.size() ? decision.nodes[node].label : "nobody";
 }
@@ -367,9 +359,8 @@ std::string decisions_csv(std::span<const Decision> decisions, const scenario::R
       if (node.action.empty())
         fmt::format_to(to, "{},,,,\n", who);
       for (const Value& value : node.action) {
-        const bool won = std::any_of(d.action.begin(), d.action.end(), [&](const Won& w) {
-          return w.value.name == value.name && w.winner == i;
-        });
+        const bool won = std::ranges::any_of(
+            d.action, [&](const Won& w) { return w.value.name == value.name && w.winner == i; });
         const std::string shown = value.number        ? fmt::format("{}", *value.number)
                                   : value.text == "-" ? ""  // no value
                                                       : record::csv_quoted(value.text);

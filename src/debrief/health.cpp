@@ -179,7 +179,7 @@ class Meter final : public sim::Observer {
   }
   [[nodiscard]] bool any_enemy(const sim::World& world, PlayerId of) const {
     const auto ids = world.ids(s_.aircraft.table);
-    return std::any_of(ids.begin(), ids.end(), [&](PlayerId id) { return enemies(of, id); });
+    return std::ranges::any_of(ids, [&](PlayerId id) { return enemies(of, id); });
   }
   /// Whether somebody is whom the seeker of a missile saw last, whomever it was shot at: it rests
   /// on him, or looks for him where he must be.

@@ -177,7 +177,7 @@ std::vector<Moment> key_moments(const Recorded& recorded, const std::function<bo
   record::Story story(scenario, [&](const record::StoryLine& line) {
     constexpr std::array kKeys{EventKind::launch, EventKind::kill,        EventKind::crash,
                                EventKind::loss,   EventKind::lead_change, EventKind::phase};
-    if (std::find(kKeys.begin(), kKeys.end(), line.kind) != kKeys.end())
+    if (std::ranges::find(kKeys, line.kind) != kKeys.end())
       moments.push_back({line});
   });
   {

@@ -18,14 +18,10 @@ std::string plugin_problem(const scenario::PluginFile& plugin, const std::string
   std::error_code failed;
   if (unasked && !fs::path(file).is_absolute())
     return fmt::format(
-        "the run needs the plug-in {}, at no absolute path; --plugin says where it "
-        "is",
-        shown);
+        "the run needs the plug-in {}, at no absolute path; --plugin says where it is", shown);
   if (!fs::exists(file, failed))
     return fmt::format(
-        "the run needs the plug-in {}, which is not there; --plugin says where it "
-        "is now",
-        shown);
+        "the run needs the plug-in {}, which is not there; --plugin says where it is now", shown);
   const disk::FileRead read = scenario::read_plugin_file(file);
   if (!read.problem.empty())
     return fmt::format("the run needs the plug-in {}: {}", shown, read.problem);
@@ -48,7 +44,7 @@ std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<st
                                       std::vector<std::string>& problems) {
   std::vector<std::string> found;
   for (const scenario::PluginFile& plugin : run.plugins) {
-    const auto typed = std::find_if(given.begin(), given.end(), [&](const std::string& file) {
+    const auto typed = std::ranges::find_if(given, [&](const std::string& file) {
       return fs::path(file).filename() == fs::path(plugin.path).filename();
     });
     const bool unasked = typed == given.end();

@@ -37,6 +37,145 @@ std::vector<std::string> false_claims(const record::RunFile& run,
   return problems;
 }
 
+/// The players, fleet by fleet and by id, who ask for something else.
+std::vector<PlayerId> ask_otherwise(const scenario::Scenario& s, const sim::World& a,
+                                    const sim::World& b) {
+  std::vector<PlayerId> all;
+  for (const auto& fleet : s.fleets)
+    for (std::uint32_t i = 0; i < fleet->rows(a); ++i) {
+      const PlayerId who = fleet->id(a, i);
+      const auto j = fleet->row(b, who);
+      if (j && !fleet->agents->want_alike(a, i, b, *j))
+        all.push_back(who);
+    }
+  return all;
+}
+
+std::string leader_of(const scenario::Scenario& s, const sim::World& world, PlayerId who) {
+  const auto found = s.find(world, who);
+  return found ? found->fleet.leader(world, found->row) : "nobody";
+}
+
+/// Two values of that name, with as many decimals as tell them apart.
+std::pair<std::string, std::string> apart(std::string_view name, Dimension dimension, double a,
+                                          double b) {
+  constexpr int kMost = 17;
+  const auto unit = [](const std::string& text) { return text.substr(text.rfind(' ') + 1); };
+  for (int more = 0;; ++more) {
+    std::pair texts{team::number_text(name, dimension, a, more),
+                    team::number_text(name, dimension, b, more)};
+    if (dimension == Dimension::length && unit(texts.first) != unit(texts.second))
+      texts = {format_range(a, more), format_range(b, more)};
+    if (texts.first != texts.second || more == kMost)
+      return texts;
+  }
+}
+
+/// "pursue leads, heading 277°" as both have it: the leader, and the fields that are not the
+/// same.
+std::pair<std::string, std::string> wants_text(const Reflight& a, const Reflight& b,
+                                               const Recorded& left, const Recorded& right,
+                                               PlayerId who) {
+  const auto decided = [&](const Reflight& flight, const Recorded& recorded) {
+    return explain(*recorded.scenario, flight.before(), flight.after(), who, flight.orders());
+  };
+  std::string one = leader_of(*left.scenario, a.after(), who) + " leads",
+              other = leader_of(*right.scenario, b.after(), who) + " leads";
+  const auto mine = decided(a, left), its = decided(b, right);
+  if (!mine || !its)
+    return {one, other};
+  const auto field = [](const Decision& decision, std::string_view name) -> const Value* {
+    for (const Won& won : decision.action)
+      if (won.value.name == name)
+        return &won.value;
+    return nullptr;
+  };
+  std::vector<std::string> names;
+  for (const Decision* decision : {&*mine, &*its})
+    for (const Won& won : decision->action)
+      if (std::ranges::find(names, won.value.name) == names.end())
+        names.push_back(won.value.name);
+  for (const bool exact : {false, true}) {  // to the digit if all are the same for people
+    const std::string before = one + other;
+    for (const std::string& name : names) {
+      const Value *x = field(*mine, name), *y = field(*its, name);
+      if (x && y && (exact ? x->number == y->number : x->text == y->text))
+        continue;
+      std::pair texts{x ? x->text : "", y ? y->text : ""};
+      if (exact && x && y && x->number && y->number) {
+        const UnitInfo* unit = find_unit(x->unit);
+        texts = apart(name, unit ? unit->dimension : Dimension::none, *x->number, *y->number);
+      }
+      one += x ? fmt::format(", {} {}", name, texts.first) : ", no " + name;
+      other += y ? fmt::format(", {} {}", name, texts.second) : ", no " + name;
+    }
+    if (one + other != before || one != other)
+      break;
+  }
+  return {one, other};
+}
+
+/// Of two events that are not the same, what each is in its scenario; null: there is none.
+std::pair<std::string, std::string> event_texts(const sim::Event* x, const sim::Event* y,
+                                                const scenario::Scenario& left,
+                                                const scenario::Scenario& right) {
+  const auto named = [](const sim::Event& e, const scenario::Scenario& scenario) {
+    return fmt::format("{} {}{}", scenario.roster.name(e.who),
+                       model::event_name(record::kind_of(e)),
+                       e.whom ? " " + scenario.roster.name(e.whom) : "");
+  };
+  std::string one = x ? named(*x, left) : "nothing", other = y ? named(*y, right) : "nothing";
+  if (one != other)
+    return {one, other};
+  const auto compare = [&](std::string_view name, Dimension dimension, double mine, double its) {
+    if (mine != its) {
+      const auto [a, b] = apart(name, dimension, mine, its);
+      one += fmt::format(", {} {}", name, a);
+      other += fmt::format(", {} {}", name, b);
+    }
+  };
+  const record::EventTable left_table(left), right_table(right);
+  const auto values = model::event_values(record::kind_of(*x));
+  for (std::size_t i = 0; i < x->values.size(); ++i) {
+    const model::EventValue what = i < values.size() ? values[i] : model::EventValue{"value"};
+    const auto word = [&](const sim::Event& e, const record::EventTable& table) {
+      const record::Cell cell = table.value(e, what, e.values[i]);
+      return std::holds_alternative<std::string>(cell) ? std::get<std::string>(cell) : "";
+    };
+    if (const std::string a = word(*x, left_table), b = word(*y, right_table); a != b) {
+      one += fmt::format(", {} {}", what.name, a);
+      other += fmt::format(", {} {}", what.name, b);
+    } else {
+      compare(what.name, what.unit.dimension, x->values[i], y->values[i]);
+    }
+  }
+  compare("detail", Dimension::none, x->detail, y->detail);
+  compare("aux", Dimension::none, x->aux, y->aux);
+  compare("x", Dimension::length, x->place.x, y->place.x);
+  compare("y", Dimension::length, x->place.y, y->place.y);
+  compare("z", Dimension::length, x->place.z, y->place.z);
+  return {one, other};
+}
+
+/// The first event that is not the same, as both have it.
+std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
+                                       const scenario::Scenario& its,
+                                       const scenario::Scenario& others) {
+  const auto left = a.events(), right = b.events();
+  const auto same = [](const sim::Event& x, const sim::Event& y) {
+    return std::memcmp(&x, &y, sizeof x) == 0;
+  };
+  const std::size_t shared = std::min(left.size(), right.size());
+  for (std::size_t i = 0; i <= shared; ++i)
+    if (i < shared ? !same(left[i], right[i]) : left.size() != right.size()) {
+      const auto [one, other] = event_texts(i < left.size() ? &left[i] : nullptr,
+                                            i < right.size() ? &right[i] : nullptr, its, others);
+      if (one != other)
+        return fmt::format("{}; and {} in the other", one, other);
+    }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Opened open(record::RunFile run, std::string file, std::vector<std::string> plugins,
@@ -132,165 +271,21 @@ void Reflight::demand_the_same() {
   // up to the next mark, which knows the field
   while (!checker_->done() && !run_.fault() && run_.world().step() < recorded_.last_step())
     run_.step();
-  throw std::runtime_error(
-      fmt::format("{}: this is not the run that was recorded by {}: {}{}", recorded_.file,
-                  recorded_.run.build, checker_->departure()->reason,
-                  recorded_.scenario->has_foreign_nodes
-                      ? "; a behavior of one's own must answer the same whenever it perceives and "
-                        "remembers the same: nothing kept beside its memory, no clock, "
-                        "no chance but draw()"
-                      : ""));
+  throw std::runtime_error(fmt::format(
+      "{}: this is not the run that was recorded by {}: {}{}", recorded_.file, recorded_.run.build,
+      checker_->departure()->reason,
+      recorded_.scenario->has_foreign_nodes
+          ? "; a behavior of one's own must answer the same whenever it perceives and remembers "
+            "the same: nothing kept beside its memory, no clock, no chance but draw()"
+          : ""));
 }
-
-namespace {
-
-/// The players, fleet by fleet and by id, who ask for something else.
-std::vector<PlayerId> ask_otherwise(const scenario::Scenario& s, const sim::World& a,
-                                    const sim::World& b) {
-  std::vector<PlayerId> all;
-  for (const auto& fleet : s.fleets)
-    for (std::uint32_t i = 0; i < fleet->rows(a); ++i) {
-      const PlayerId who = fleet->id(a, i);
-      const auto j = fleet->row(b, who);
-      if (j && !fleet->agents->want_alike(a, i, b, *j))
-        all.push_back(who);
-    }
-  return all;
-}
-
-std::string leader_of(const scenario::Scenario& s, const sim::World& world, PlayerId who) {
-  const auto found = s.find(world, who);
-  return found ? found->fleet.leader(world, found->row) : "nobody";
-}
-
-/// Two values of that name, with as many decimals as tell them apart.
-std::pair<std::string, std::string> apart(std::string_view name, Dimension dimension, double a,
-                                          double b) {
-  constexpr int kMost = 17;
-  const auto unit = [](const std::string& text) { return text.substr(text.rfind(' ') + 1); };
-  for (int more = 0;; ++more) {
-    std::pair texts{team::number_text(name, dimension, a, more),
-                    team::number_text(name, dimension, b, more)};
-    if (dimension == Dimension::length && unit(texts.first) != unit(texts.second))
-      texts = {format_range(a, more), format_range(b, more)};
-    if (texts.first != texts.second || more == kMost)
-      return texts;
-  }
-}
-
-/// "pursue leads, heading 277°" as both have it: the leader, and the fields that are not the
-/// same.
-std::pair<std::string, std::string> wants_text(const Reflight& a, const Reflight& b,
-                                               const Recorded& left, const Recorded& right,
-                                               PlayerId who) {
-  const auto decided = [&](const Reflight& flight, const Recorded& recorded) {
-    return explain(*recorded.scenario, flight.before(), flight.after(), who, flight.orders());
-  };
-  std::string one = leader_of(*left.scenario, a.after(), who) + " leads",
-              other = leader_of(*right.scenario, b.after(), who) + " leads";
-  const auto mine = decided(a, left), its = decided(b, right);
-  if (!mine || !its)
-    return {one, other};
-  const auto field = [](const Decision& decision, std::string_view name) -> const Value* {
-    for (const Won& won : decision.action)
-      if (won.value.name == name)
-        return &won.value;
-    return nullptr;
-  };
-  std::vector<std::string> names;
-  for (const Decision* decision : {&*mine, &*its})
-    for (const Won& won : decision->action)
-      if (std::find(names.begin(), names.end(), won.value.name) == names.end())
-        names.push_back(won.value.name);
-  for (const bool exact : {false, true}) {  // to the digit if all are the same for people
-    const std::string before = one + other;
-    for (const std::string& name : names) {
-      const Value *x = field(*mine, name), *y = field(*its, name);
-      if (x && y && (exact ? x->number == y->number : x->text == y->text))
-        continue;
-      std::pair texts{x ? x->text : "", y ? y->text : ""};
-      if (exact && x && y && x->number && y->number) {
-        const UnitInfo* unit = find_unit(x->unit);
-        texts = apart(name, unit ? unit->dimension : Dimension::none, *x->number, *y->number);
-      }
-      one += x ? fmt::format(", {} {}", name, texts.first) : ", no " + name;
-      other += y ? fmt::format(", {} {}", name, texts.second) : ", no " + name;
-    }
-    if (one + other != before || one != other)
-      break;
-  }
-  return {one, other};
-}
-
-/// Of two events that are not the same, what each is in its scenario; null: there is none.
-std::pair<std::string, std::string> event_texts(const sim::Event* x, const sim::Event* y,
-                                                const scenario::Scenario& left,
-                                                const scenario::Scenario& right) {
-  const auto named = [](const sim::Event& e, const scenario::Scenario& scenario) {
-    return fmt::format("{} {}{}", scenario.roster.name(e.who),
-                       model::event_name(record::kind_of(e)),
-                       e.whom ? " " + scenario.roster.name(e.whom) : "");
-  };
-  std::string one = x ? named(*x, left) : "nothing", other = y ? named(*y, right) : "nothing";
-  if (one != other)
-    return {one, other};
-  const auto compare = [&](std::string_view name, Dimension dimension, double mine, double its) {
-    if (mine != its) {
-      const auto [a, b] = apart(name, dimension, mine, its);
-      one += fmt::format(", {} {}", name, a);
-      other += fmt::format(", {} {}", name, b);
-    }
-  };
-  const record::EventTable left_table(left), right_table(right);
-  const auto values = model::event_values(record::kind_of(*x));
-  for (std::size_t i = 0; i < x->values.size(); ++i) {
-    const model::EventValue what = i < values.size() ? values[i] : model::EventValue{"value"};
-    const auto word = [&](const sim::Event& e, const record::EventTable& table) {
-      const record::Cell cell = table.value(e, what, e.values[i]);
-      return std::holds_alternative<std::string>(cell) ? std::get<std::string>(cell) : "";
-    };
-    if (const std::string a = word(*x, left_table), b = word(*y, right_table); a != b) {
-      one += fmt::format(", {} {}", what.name, a);
-      other += fmt::format(", {} {}", what.name, b);
-    } else {
-      compare(what.name, what.unit.dimension, x->values[i], y->values[i]);
-    }
-  }
-  compare("detail", Dimension::none, x->detail, y->detail);
-  compare("aux", Dimension::none, x->aux, y->aux);
-  compare("x", Dimension::length, x->place.x, y->place.x);
-  compare("y", Dimension::length, x->place.y, y->place.y);
-  compare("z", Dimension::length, x->place.z, y->place.z);
-  return {one, other};
-}
-
-/// The first event that is not the same, as both have it.
-std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
-                                       const scenario::Scenario& its,
-                                       const scenario::Scenario& others) {
-  const auto left = a.events(), right = b.events();
-  const auto same = [](const sim::Event& x, const sim::Event& y) {
-    return std::memcmp(&x, &y, sizeof x) == 0;
-  };
-  const std::size_t shared = std::min(left.size(), right.size());
-  for (std::size_t i = 0; i <= shared; ++i)
-    if (i < shared ? !same(left[i], right[i]) : left.size() != right.size()) {
-      const auto [one, other] = event_texts(i < left.size() ? &left[i] : nullptr,
-                                            i < right.size() ? &right[i] : nullptr, its, others);
-      if (one != other)
-        return fmt::format("{}; and {} in the other", one, other);
-    }
-  return std::nullopt;
-}
-
-}  // namespace
 
 std::optional<RunDifference> compare(const Recorded& left, const Recorded& right,
                                      std::string& problem) {
   if (left.run.layout_hash != right.run.layout_hash) {
     problem = fmt::format(
-        "{} and {} have worlds of other tables: other kinds of players, or trees "
-        "that remember more",
+        "{} and {} have worlds of other tables: other kinds of players, or trees that remember "
+        "more",
         left.file, right.file);
     return std::nullopt;
   }

@@ -30,7 +30,7 @@ class OtherTrees {
   /// Puts what they remember now into a row of a world of theirs.
   void remember(sim::World& world, std::size_t row) {
     const std::span<std::byte> memory = other_.agents->memory(world, row);
-    std::fill(memory.begin(), memory.end(), std::byte{0});
+    std::ranges::fill(memory, std::byte{0});
     if (tree_ != team::kNoTree)
       std::copy_n(bytes(), other_.trees[tree_]->memory_bytes(), memory.begin());
   }
@@ -77,6 +77,88 @@ void remember(const Recorded& recorded, const scenario::Scenario& other, sim::Wo
         player.look(flight, [](const auto&, const auto&) {});
   }
   each_row([&](std::size_t, std::size_t row, std::size_t n) { players[n].remember(world, row); });
+}
+
+/// The tree that a player begins with.
+std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
+  const auto found = scenario.find(*scenario.start, who);
+  if (!found)
+    return "";
+  const auto tree = found->fleet.agents->last_decision(*scenario.start, found->row).tree;
+  return tree < found->fleet.trees.size() ? std::string(found->fleet.trees[tree]->name()) : "";
+}
+
+/// The paths of the nodes of the tree of that name, whoever uses it, in pre-order.
+std::vector<std::string> paths_of(const scenario::Scenario& scenario, const std::string& name) {
+  std::vector<std::string> paths;
+  for (const auto& fleet : scenario.fleets)
+    for (const ubf::AnyTree* tree : fleet->trees)
+      for (std::size_t i = 0; tree->name() == name && paths.size() < tree->size(); ++i)
+        paths.push_back(tree->path(static_cast<ubf::NodeIndex>(i)));
+  return paths;
+}
+
+/// False if the text is no override of a node.
+bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::string& text,
+                 std::vector<scenario::TreeChange>& changes, Diagnostics& diagnostics) {
+  std::size_t equals = text.find('=');
+  const std::size_t colon = text.substr(0, equals).find(':');
+  const std::size_t begin = colon == text.npos ? 0 : colon + 1;
+  std::string node = text.substr(begin, equals - begin), key;
+  if (equals == text.npos ||
+      !(node == "root" || node.starts_with("root/") || node.starts_with("root.")))
+    return false;
+  const auto at = [&](std::size_t offset) {
+    return Location{"--set " + text, 1, static_cast<int>(offset) + 1};
+  };
+  const auto wrong = [&](std::size_t offset, std::string message) {
+    diagnostics.error(at(offset), std::move(message));
+    return true;
+  };
+  const std::string tree = begin > 1 ? text.substr(0, colon) : tree_of(scenario, who);
+  const auto paths = paths_of(scenario, tree);
+  if (tree.empty())
+    return wrong(0, fmt::format("{} begins with no tree", scenario.roster.name(who)));
+  if (paths.empty())
+    return wrong(0, fmt::format("there is no tree {}", quote(tree)));
+  for (const std::string& path : paths)  // one with a '=' in a label
+    if (path.starts_with(node) && text.compare(begin, path.size(), path) == 0)
+      equals = std::max(equals, std::min(text.find('=', begin + path.size()), text.size()));
+  node = text.substr(begin, equals - begin);
+  auto found = std::ranges::find(paths, node);
+  const std::size_t point = node.rfind('.');
+  const bool names_key = found == paths.end() && point != node.npos;
+  if (names_key) {
+    key = node.substr(point + 1);
+    node.resize(point);
+    found = std::ranges::find(paths, node);
+  }
+  for (std::size_t p = node.rfind('.'); found == paths.end() && p != node.npos && p > 0;
+       p = node.rfind('.', p - 1))
+    if (std::ranges::find(paths, node.substr(0, p)) != paths.end())
+      return wrong(begin + p + 1,
+                   fmt::format("{} is inside a parameter; behind a node stands a whole one, as in "
+                               "{}={{...}}, and the path of a file (trees. ...) goes on into it",
+                               quote(text.substr(begin + p + 1, equals - begin - p - 1)),
+                               node.substr(p + 1, node.find('.', p + 1) - p - 1)));
+  if (found == paths.end())
+    return wrong(begin, fmt::format("tree {} has no node {}{}", quote(tree), quote(node),
+                                    nearest_or_all(node, paths)));
+  if (names_key && key.empty())
+    return wrong(equals, "a parameter is missing behind the point");
+  if (text.find_first_not_of(' ', equals + 1) == text.npos)
+    return wrong(equals, "a value is missing behind '='");
+  Diagnostics in_value;
+  eyrie::Value value = eyrie::parse_yaml(text.substr(equals + 1), "--set", in_value);
+  if (!in_value.ok())
+    return wrong(equals + 1, in_value.sorted().front().message);
+  value.where = at(equals + 1);
+  changes.push_back({tree,
+                     {.node = static_cast<ubf::NodeIndex>(found - paths.begin()),
+                      .key = key,
+                      .value = std::move(value),
+                      .where = at(begin + (names_key ? point + 1 : 0))}});
+  return true;
 }
 
 }  // namespace
@@ -213,92 +295,6 @@ Outcome Branch::fly() {
   }
   return outcome();
 }
-
-namespace {
-
-/// The tree that a player begins with.
-std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
-  const auto found = scenario.find(*scenario.start, who);
-  if (!found)
-    return "";
-  const auto tree = found->fleet.agents->last_decision(*scenario.start, found->row).tree;
-  return tree < found->fleet.trees.size() ? std::string(found->fleet.trees[tree]->name()) : "";
-}
-
-/// The paths of the nodes of the tree of that name, whoever uses it, in pre-order.
-std::vector<std::string> paths_of(const scenario::Scenario& scenario, const std::string& name) {
-  std::vector<std::string> paths;
-  for (const auto& fleet : scenario.fleets)
-    for (const ubf::AnyTree* tree : fleet->trees)
-      for (std::size_t i = 0; tree->name() == name && paths.size() < tree->size(); ++i)
-        paths.push_back(tree->path(static_cast<ubf::NodeIndex>(i)));
-  return paths;
-}
-
-/// False if the text is no override of a node.
-bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::string& text,
-                 std::vector<scenario::TreeChange>& changes, Diagnostics& diagnostics) {
-  std::size_t equals = text.find('=');
-  const std::size_t colon = text.substr(0, equals).find(':');
-  const std::size_t begin = colon == text.npos ? 0 : colon + 1;
-  std::string node = text.substr(begin, equals - begin), key;
-  if (equals == text.npos ||
-      !(node == "root" || node.starts_with("root/") || node.starts_with("root.")))
-    return false;
-  const auto at = [&](std::size_t offset) {
-    return Location{"--set " + text, 1, static_cast<int>(offset) + 1};
-  };
-  const auto wrong = [&](std::size_t offset, std::string message) {
-    diagnostics.error(at(offset), std::move(message));
-    return true;
-  };
-  const std::string tree = begin > 1 ? text.substr(0, colon) : tree_of(scenario, who);
-  const auto paths = paths_of(scenario, tree);
-  if (tree.empty())
-    return wrong(0, fmt::format("{} begins with no tree", scenario.roster.name(who)));
-  if (paths.empty())
-    return wrong(0, fmt::format("there is no tree {}", quote(tree)));
-  for (const std::string& path : paths)  // one with a '=' in a label
-    if (path.starts_with(node) && text.compare(begin, path.size(), path) == 0)
-      equals = std::max(equals, std::min(text.find('=', begin + path.size()), text.size()));
-  node = text.substr(begin, equals - begin);
-  auto found = std::find(paths.begin(), paths.end(), node);
-  const std::size_t point = node.rfind('.');
-  const bool names_key = found == paths.end() && point != node.npos;
-  if (names_key) {
-    key = node.substr(point + 1);
-    node.resize(point);
-    found = std::find(paths.begin(), paths.end(), node);
-  }
-  for (std::size_t p = node.rfind('.'); found == paths.end() && p != node.npos && p > 0;
-       p = node.rfind('.', p - 1))
-    if (std::find(paths.begin(), paths.end(), node.substr(0, p)) != paths.end())
-      return wrong(begin + p + 1,
-                   fmt::format("{} is inside a parameter; behind a node stands a whole one, as in "
-                               "{}={{...}}, and the path of a file (trees. ...) goes on into it",
-                               quote(text.substr(begin + p + 1, equals - begin - p - 1)),
-                               node.substr(p + 1, node.find('.', p + 1) - p - 1)));
-  if (found == paths.end())
-    return wrong(begin, fmt::format("tree {} has no node {}{}", quote(tree), quote(node),
-                                    nearest_or_all(node, paths)));
-  if (names_key && key.empty())
-    return wrong(equals, "a parameter is missing behind the point");
-  if (text.find_first_not_of(' ', equals + 1) == text.npos)
-    return wrong(equals, "a value is missing behind '='");
-  Diagnostics in_value;
-  eyrie::Value value = eyrie::parse_yaml(text.substr(equals + 1), "--set", in_value);
-  if (!in_value.ok())
-    return wrong(equals + 1, in_value.sorted().front().message);
-  value.where = at(equals + 1);
-  changes.push_back({tree,
-                     {.node = static_cast<ubf::NodeIndex>(found - paths.begin()),
-                      .key = key,
-                      .value = std::move(value),
-                      .where = at(begin + (names_key ? point + 1 : 0))}});
-  return true;
-}
-
-}  // namespace
 
 Overrides read_overrides(const scenario::Scenario& scenario, PlayerId who,
                          const std::vector<std::string>& texts, Diagnostics& diagnostics) {

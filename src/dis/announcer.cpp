@@ -48,9 +48,8 @@ Announcer::Announcer(const scenario::Scenario& scenario, const Station& station,
 EntityId Announcer::id_of(PlayerId who) const {
   if (const auto* player = scenario_.roster.find(who); player && player->remote)
     return others_ ? others_->entity_of(who) : kNobody;
-  return who && who.value < 0xFFFF
-             ? EntityId{station_.site, station_.application, static_cast<std::uint16_t>(who.value)}
-             : kNobody;
+  return who && who.value < 0xFFFF ? station_.entity(static_cast<std::uint16_t>(who.value))
+                                   : kNobody;
 }
 
 Announcer::Entity* Announcer::find(PlayerId who) {
@@ -95,9 +94,8 @@ void Announcer::begin(const sim::World& world, double dt) {
       entities_[who].theirs = true;
     else
       introduce(who, players[i].side, players[i].entity_type, players[i].name);
-  const EntityId from{station_.site, station_.application, 0};
-  send(StartResume{.from = from,
-                   .to = {station_.site, station_.application, kEverybody.entity},
+  send(StartResume{.from = station_.entity(0),
+                   .to = station_.entity(kEverybody.entity),
                    .real = clock(),
                    .simulated = clock()});
   look(world);
@@ -130,8 +128,8 @@ void Announcer::finish(const sim::World&) {
       tell_state(entity, kDeactivated);
   for (const Farewell& farewell : farewells_)
     send(farewell.state);
-  send(StopFreeze{.from = {station_.site, station_.application, 0},
-                  .to = {station_.site, station_.application, kEverybody.entity},
+  send(StopFreeze{.from = station_.entity(0),
+                  .to = station_.entity(kEverybody.entity),
                   .real = clock(),
                   .reason = kTermination});
 }

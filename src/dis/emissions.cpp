@@ -22,7 +22,7 @@ void point(Emission::Beam& beam, const model::Kinematics& k, const Vec3& line) {
 }
 
 void track(Emission::Beam& beam, std::vector<EntityId> targets) {
-  std::sort(targets.begin(), targets.end());
+  std::ranges::sort(targets);
   beam.crowded = targets.size() > kMostTargets;
   if (!beam.crowded)
     for (const EntityId& who : targets)
@@ -106,10 +106,10 @@ bool differs(std::span<const Emission::System> a, std::span<const Emission::Syst
     return x.function != y.function || x.crowded != y.crowded || x.targets != y.targets ||
            turned(x.azimuth, y.azimuth) || turned(x.elevation, y.elevation);
   };
-  return !std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const auto& x, const auto& y) {
+  return !std::ranges::equal(a, b, [&](const auto& x, const auto& y) {
     return x.number == y.number &&
-           std::equal(x.beams.begin(), x.beams.end(), y.beams.begin(), y.beams.end(),
-                      [&](const auto& p, const auto& q) { return !other_beam(p, q); });
+           std::ranges::equal(x.beams, y.beams,
+                              [&](const auto& p, const auto& q) { return !other_beam(p, q); });
   });
 }
 

@@ -79,11 +79,11 @@ void Incoming::hear(std::span<const std::byte> datagram, double came) {
   while (!datagram.empty()) {
     Decoded read = decode(datagram);
     // who speaks of another exercise may speak another version
-    if (read.refusal != Refusal::none && read.refusal != Refusal::truncated &&
+    if (read.refusal && read.refusal != Unused::truncated &&
         read.packet.exercise != station_.exercise)
       ++counts[Unused::exercise];
-    else if (read.refusal != Refusal::none)
-      ++counts[static_cast<Unused>(static_cast<int>(read.refusal) - 1)];
+    else if (read.refusal)
+      ++counts[*read.refusal];
     else if (const auto why = check(read.packet, came))
       ++counts[*why];
     else if (received_.size() < kWaiting) {

@@ -3,30 +3,11 @@
 /// \file  What comes in from the network: which of it is for us and new, and when it was so.
 #include <map>
 
-#include "core/enum_names.hpp"
 #include "dis/station.hpp"
 
 namespace eyrie::dis {
 
-/// Why something that came in is not used.
-enum class Unused : std::uint8_t {
-  truncated,    ///< shorter than it says
-  version,      ///< neither 6 nor 7
-  kind,         ///< a PDU that is not read
-  malformed,    ///< its parts do not have the length of the whole
-  exercise,     ///< of another exercise
-  own,          ///< what we sent ourselves, or somebody under our number
-  twice,        ///< it was there before
-  late,         ///< a newer one was there before
-  implausible,  ///< no number, or nowhere near the place of the scenario
-  crowded,      ///< more entities, or applications, than can be
-  no_place,     ///< an entity that is nobody of the scenario, and no place is left for it
-};
-constexpr auto names_of(Unused) {
-  return names_from_zero<Unused>("truncated", "version", "kind", "malformed", "exercise", "own",
-                                 "twice", "late", "implausible", "crowded", "no_place");
-}
-/// The words behind a number of these: "of another exercise".
+/// The words behind a number of what is not used: "of another exercise".
 [[nodiscard]] std::string_view words_of(Unused why);
 
 /// Many numbers in short.

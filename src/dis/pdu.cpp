@@ -60,25 +60,25 @@ Decoded decode(std::span<const std::byte> bytes) {
   Header header;
   Reader head(bytes);
   head(header);
-  const auto refused = [&](Refusal why) {
+  const auto refused = [&](Unused why) {
     result.refusal = why;
     return result;
   };
   if (head.failed() || header.length < kHeader || header.length > bytes.size())
-    return refused(Refusal::truncated);
+    return refused(Unused::truncated);
   result.length = header.length;
   result.packet.version = header.version;
   result.packet.exercise = header.exercise;
   result.packet.timestamp = header.timestamp;
   result.packet.status = header.status;
   if (header.version != 6 && header.version != 7)
-    return refused(Refusal::version);
+    return refused(Unused::version);
   if (!make(header.type, result.packet.pdu))
-    return refused(Refusal::kind);
+    return refused(Unused::kind);
   Reader body(bytes.subspan(kHeader, header.length - kHeader));
   std::visit([&](auto& pdu) { body(pdu); }, result.packet.pdu);
   if (body.failed() || kHeader + body.size() != header.length)
-    return refused(Refusal::malformed);
+    return refused(Unused::malformed);
   return result;
 }
 

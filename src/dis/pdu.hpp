@@ -3,9 +3,11 @@
 /// \file  Messages of DIS, IEEE 1278.1-2012: what they are made of, and to and from bytes. Section
 /// numbers are the standard's. Lengths in m, speeds in m/s, angles in rad, world coordinates
 /// Earth-centred and Earth-fixed (WGS-84), body coordinates x forward, y right, z down.
+#include <optional>
 #include <string>
 #include <variant>
 
+#include "core/enum_names.hpp"
 #include "dis/wire.hpp"
 
 namespace eyrie::dis {
@@ -302,26 +304,30 @@ struct Packet {
   return static_cast<std::uint32_t>(part * 2147483648.0 + 0.5) << 1;
 }
 
-/// Larger ones do not fit into one datagram of an Ethernet.
-inline constexpr std::size_t kLongestPdu = 1400;
-
 [[nodiscard]] std::vector<std::byte> encode(const Packet& packet);
 
-/// Why bytes are no packet of ours.
-enum class Refusal : std::uint8_t {
-  none,
-  truncated,  ///< fewer bytes than the header says
-  version,    ///< neither 6 nor 7
-  kind,       ///< a PDU that we do not read
-  malformed,  ///< its parts do not have the length of the whole
+/// Why something that came in is not used.
+enum class Unused : std::uint8_t {
+  truncated,    ///< shorter than it says
+  version,      ///< neither 6 nor 7
+  kind,         ///< a PDU that is not read
+  malformed,    ///< its parts do not have the length of the whole
+  exercise,     ///< of another exercise
+  own,          ///< what we sent ourselves, or somebody under our number
+  twice,        ///< it was there before
+  late,         ///< a newer one was there before
+  implausible,  ///< no number, or nowhere near the place of the scenario
+  crowded,      ///< more entities, or applications, than can be
+  no_place,     ///< an entity that is nobody of the scenario, and no place is left for it
 };
-constexpr auto names_of(Refusal) {
-  return std::array{"none", "truncated", "version", "kind", "malformed"};
+constexpr auto names_of(Unused) {
+  return names_from_zero<Unused>("truncated", "version", "kind", "malformed", "exercise", "own",
+                                 "twice", "late", "implausible", "crowded", "no_place");
 }
 
 struct Decoded {
-  Packet packet;  ///< whole if nothing was refused
-  Refusal refusal = Refusal::none;
+  Packet packet;                    ///< whole if nothing was refused
+  std::optional<Unused> refusal{};  ///< truncated, version, kind or malformed
   std::size_t length = 0;  ///< bytes up to the next PDU of the datagram; 0: nothing more is there
 };
 /// Reads the first PDU of a datagram. Any bytes may come.

@@ -205,7 +205,7 @@ TEST(Pdu, IsReadAsItWasWritten) {
   for (const Pdu& pdu : one_of_each()) {
     const Bytes bytes = bytes_of(pdu);
     const Decoded read = decode(bytes);
-    ASSERT_EQ(read.refusal, Refusal::none) << pdu.index();
+    ASSERT_EQ(read.refusal, std::nullopt) << pdu.index();
     EXPECT_EQ(read.packet.pdu.index(), pdu.index());
     EXPECT_EQ(read.length, bytes.size());
     EXPECT_EQ(encode(read.packet), bytes) << pdu.index();
@@ -217,9 +217,9 @@ TEST(Pdu, IsReadInADatagramOfSeveral) {
   const Bytes second = bytes_of(state());
   bytes.insert(bytes.end(), second.begin(), second.end());
   const Decoded first = decode(bytes);
-  EXPECT_EQ(first.refusal, Refusal::none);
+  EXPECT_EQ(first.refusal, std::nullopt);
   const Decoded next = decode(std::span(bytes).subspan(first.length));
-  EXPECT_EQ(next.refusal, Refusal::none);
+  EXPECT_EQ(next.refusal, std::nullopt);
   EXPECT_EQ(std::get<EntityState>(next.packet.pdu).id, (EntityId{1, 2, 3}));
 }
 
@@ -227,13 +227,13 @@ TEST(Pdu, IsRefusedWhereverItIsCutOff) {
   for (const Pdu& pdu : one_of_each()) {
     Bytes bytes = bytes_of(pdu);
     for (std::size_t size = 0; size < bytes.size(); ++size) {
-      EXPECT_EQ(decode(std::span(bytes).first(size)).refusal, Refusal::truncated) << size;
+      EXPECT_EQ(decode(std::span(bytes).first(size)).refusal, Unused::truncated) << size;
       if (size < 12)
         continue;
       Bytes shorter(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
       shorter[8] = static_cast<std::byte>(size >> 8);
       shorter[9] = static_cast<std::byte>(size);
-      EXPECT_EQ(decode(shorter).refusal, Refusal::malformed) << pdu.index() << " " << size;
+      EXPECT_EQ(decode(shorter).refusal, Unused::malformed) << pdu.index() << " " << size;
     }
   }
 }
@@ -245,25 +245,25 @@ TEST(Pdu, IsRefusedWithAReason) {
     bytes[offset] = static_cast<std::byte>(value);
     return decode(bytes).refusal;
   };
-  EXPECT_EQ(with(0, 6), Refusal::none);
-  EXPECT_EQ(with(0, 5), Refusal::version);
-  EXPECT_EQ(with(0, 8), Refusal::version);
-  EXPECT_EQ(with(2, 26), Refusal::kind);        // Signal
-  EXPECT_EQ(with(8, 255), Refusal::truncated);  // longer than the datagram
-  EXPECT_EQ(with(19, 1), Refusal::malformed);   // bytes are left over
-  EXPECT_EQ(with(19, 255), Refusal::malformed);
+  EXPECT_EQ(with(0, 6), std::nullopt);
+  EXPECT_EQ(with(0, 5), Unused::version);
+  EXPECT_EQ(with(0, 8), Unused::version);
+  EXPECT_EQ(with(2, 26), Unused::kind);        // Signal
+  EXPECT_EQ(with(8, 255), Unused::truncated);  // longer than the datagram
+  EXPECT_EQ(with(19, 1), Unused::malformed);   // bytes are left over
+  EXPECT_EQ(with(19, 255), Unused::malformed);
   Bytes beam = bytes_of(emission());
   beam[48] = std::byte{16};  // the beam has 17 words
-  EXPECT_EQ(decode(beam).refusal, Refusal::malformed);
+  EXPECT_EQ(decode(beam).refusal, Unused::malformed);
   beam[48] = std::byte{0};  // its length is not said
-  EXPECT_EQ(decode(beam).refusal, Refusal::none);
+  EXPECT_EQ(decode(beam).refusal, std::nullopt);
 }
 
 TEST(Pdu, TakesNoMemoryForFalseCounts) {
   Bytes bytes = bytes_of(Comment{});
   for (std::size_t i = 24; i < 32; ++i)
     bytes[i] = std::byte{0xFF};  // 4 billion datums of either kind
-  EXPECT_EQ(decode(bytes).refusal, Refusal::malformed);
+  EXPECT_EQ(decode(bytes).refusal, Unused::malformed);
 }
 
 TEST(Timestamp, IsAFractionOfTheHour) {

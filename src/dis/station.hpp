@@ -15,6 +15,9 @@ struct Station {
   std::uint8_t exercise = 1;
   std::uint16_t site = 1, application = 1;
   Thresholds thresholds;
+
+  /// One of its entities; 0: the application itself.
+  [[nodiscard]] EntityId entity(std::uint16_t number) const { return {site, application, number}; }
 };
 
 /// "1.1.1": exercise (1 to 255), site and application (1 to 65534). Nothing if it is another text.

@@ -2,7 +2,6 @@
 #include "disk/file_system.hpp"
 
 #include <dirent.h>
-#include <fmt/format.h>
 
 #include <atomic>
 #include <cerrno>

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  The calls by which Eyrie reads, writes and moves files, in one table.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -105,11 +106,17 @@ class Handle {
 /// The machine's failure: a full disk, a folder that may not be written to.
 struct Failed : std::runtime_error {
   using std::runtime_error::runtime_error;
+  template <class... T>
+  requires(sizeof...(T) > 0) explicit Failed(fmt::format_string<T...> words, T&&... values)
+      : Failed(fmt::format(words, std::forward<T>(values)...)) {}
 };
 /// The user's mistake: a place that is taken, that is none, or that may not be replaced.
 struct Refused : std::runtime_error {
   explicit Refused(const std::string& words, int code = 0)
       : std::runtime_error(words), error(code) {}
+  template <class... T>
+  requires(sizeof...(T) > 0) explicit Refused(fmt::format_string<T...> words, T&&... values)
+      : Refused(fmt::format(words, std::forward<T>(values)...)) {}
   int error;  ///< of errno; 0: of none, as where something is there
 };
 

@@ -2,13 +2,13 @@
 #include "disk/output.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
 
 #include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
+#include "disk/temporary.hpp"
 
 namespace eyrie::disk {
 namespace {
@@ -17,11 +17,10 @@ namespace {
 std::optional<struct stat> replaceable(const Destination& place, bool replace) {
   const auto found = place.look();
   if (found && !S_ISREG(found->st_mode))
-    throw Refused(fmt::format("{} is {}; only files are replaced", quote_path(place.path()),
-                              kind_text(found->st_mode)));
+    throw Refused("{} is {}; only files are replaced", quote_path(place.path()),
+                  kind_text(found->st_mode));
   if (found && !replace)
-    throw Refused(fmt::format("{} exists already; name another file or add --force",
-                              quote_path(place.path())));
+    throw Refused("{} exists already; name another file or add --force", quote_path(place.path()));
   remove_abandoned(place, {});
   return found;
 }
@@ -55,8 +54,7 @@ void OutputFile::commit() {
   if (put.how == Put::failed)
     cannot_make(place_.path(), put.error);
   if (put.how == Put::taken)
-    throw Failed(fmt::format("{} has appeared in the meantime; nothing was written",
-                             quote_path(place_.path())));
+    throw Failed("{} has appeared in the meantime; nothing was written", quote_path(place_.path()));
   if (files().sync(place_.folder()) != 0 && errno != EINVAL)
     cannot_make(place_.path(), errno);
 }
@@ -93,11 +91,11 @@ std::string OutputFolder::foreign(int folder) const {
   std::vector<std::string> inside;
   if (files().list(folder, inside) != 0)
     cannot_make(path_, errno);
-  std::sort(inside.begin(), inside.end());
+  std::ranges::sort(inside);
   for (const std::string& name : inside) {
     const bool ours =
-        is_temporary(name) || std::any_of(wish_.names.begin(), wish_.names.end(),
-                                          [&](const char* known) { return name == known; });
+        is_temporary(name) ||
+        std::ranges::any_of(wish_.names, [&](const char* known) { return name == known; });
     struct stat found {};
     if (!ours || files().status(folder, name.c_str(), found, AT_SYMLINK_NOFOLLOW) != 0 ||
         !S_ISREG(found.st_mode))
@@ -111,8 +109,8 @@ std::optional<OutputFolder::Old> OutputFolder::find_old() const {
   if (!found)
     return std::nullopt;
   if (!S_ISDIR(found->st_mode))
-    throw Refused(fmt::format("{} is {}; only a folder is made or replaced", quote_path(path_),
-                              kind_text(found->st_mode)));
+    throw Refused("{} is {}; only a folder is made or replaced", quote_path(path_),
+                  kind_text(found->st_mode));
   Old old{*found, Handle(files().open(place_.folder(), place_.name().c_str(),
                                       O_RDONLY | O_DIRECTORY | O_NOFOLLOW, 0))};
   std::vector<std::string> inside;
@@ -120,21 +118,20 @@ std::optional<OutputFolder::Old> OutputFolder::find_old() const {
     cannot_make(path_, errno);
   old.empty = inside.empty();
   if (!old.empty && !wish_.replace)
-    throw Refused(fmt::format("{} exists already; name another folder or {}", quote_path(path_),
-                              wish_.to_replace));
+    throw Refused("{} exists already; name another folder or {}", quote_path(path_),
+                  wish_.to_replace);
   if (stand_in(*found))
-    throw Refused(
-        fmt::format("{} is where you are, or above; it is not replaced", quote_path(path_)));
+    throw Refused("{} is where you are, or above; it is not replaced", quote_path(path_));
   if (files().mount_point(old.folder.get()))
-    throw Refused(fmt::format("{} is the root of a disk; name a folder in it", quote_path(path_)));
+    throw Refused("{} is the root of a disk; name a folder in it", quote_path(path_));
   if (old.empty)
     return old;
-  if (std::find(inside.begin(), inside.end(), wish_.sign) == inside.end())
-    throw Refused(fmt::format("{} has no {}: only the folder of {} is replaced", quote_path(path_),
-                              wish_.sign, wish_.kind));
+  if (std::ranges::find(inside, wish_.sign) == inside.end())
+    throw Refused("{} has no {}: only the folder of {} is replaced", quote_path(path_), wish_.sign,
+                  wish_.kind);
   if (const std::string name = foreign(old.folder.get()); !name.empty())
-    throw Refused(fmt::format("{} has {}, which Eyrie has not written: it is not replaced",
-                              quote_path(path_), quote_path(name)));
+    throw Refused("{} has {}, which Eyrie has not written: it is not replaced", quote_path(path_),
+                  quote_path(name));
   return old;
 }
 
@@ -231,6 +228,31 @@ std::string point_link(const std::string& link, const std::string& to) {
   const int error = errno;
   files().remove(AT_FDCWD, part.c_str(), 0);
   return fmt::format("'{}' cannot be made a link to '{}': {}", link, to, words_of(error));
+}
+
+Handle work_folder(const std::string& path, const char* kind,
+                   const std::function<bool(const std::string&)>& is_ours, bool resume) {
+  const Destination place(path, Parents::are_made);
+  const bool made = files().make_folder(place.folder(), place.name().c_str(), 0777) == 0;
+  if (!made && errno != EEXIST)
+    cannot_make(place.path(), errno);
+  Handle folder(files().open(place.folder(), place.name().c_str(), O_RDONLY | O_DIRECTORY, 0));
+  if (!folder)
+    cannot_make(place.path(), errno);
+  const std::string named = quote_path(place.path());
+  std::vector<std::string> names;
+  if (!made && files().list(folder.get(), names) == 0 && !names.empty()) {
+    if (std::ranges::none_of(names, is_ours))
+      throw Refused("{} is there already, and is no {}", named, kind);
+    if (!resume)
+      throw Refused("{} is there already: --resume goes on with it, --out names another folder",
+                    named);
+  }
+  if (files().lock(folder.get()) != 0)
+    throw Refused(
+        "another process is working on the {} in {}; wait until it has ended, or interrupt it",
+        kind, named);
+  return folder;
 }
 
 }  // namespace eyrie::disk

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  A file that is not there, or is as it was, until it is complete.
+/// \file  A file or folder that is not there, or is as it was, until it is complete; and a folder
+/// in which one process works at a time, and a later one goes on.
 #include "disk/sink.hpp"
 #include "disk/temporary.hpp"
 
@@ -83,5 +84,12 @@ class OutputFolder {
 /// Makes `link` a symbolic link to `to`, at once for who looks and whoever else does so; it
 /// replaces nothing but a link. Gives the words for what went wrong, or "".
 [[nodiscard]] std::string point_link(const std::string& link, const std::string& to);
+
+/// Locks the folder until the handle is closed; makes it, with its parents, if it is not there.
+/// Throws Refused if something is in it and none of that `is_ours`, or it is and nobody asked to
+/// `resume`, or another process works on it. `kind`: "campaign".
+[[nodiscard]] Handle work_folder(const std::string& path, const char* kind,
+                                 const std::function<bool(const std::string& name)>& is_ours,
+                                 bool resume);
 
 }  // namespace eyrie::disk

@@ -2,7 +2,6 @@
 #include "disk/sink.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -181,7 +180,7 @@ std::string nearest_file(const fs::path& missing, const fs::path& asker) {
     }
     at.increment(failed);
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return did_you_mean(path.lexically_relative(folder).generic_string(), names);
 }
 

@@ -2,7 +2,6 @@
 #include "disk/temporary.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/random.h>
 #include <unistd.h>
 
@@ -83,7 +82,7 @@ std::array<Slot, 4> slots;
 std::atomic<int> moving = 0;
 
 bool holds(Names names, const std::string& name) {
-  return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
+  return std::ranges::any_of(names, [&](const char* n) { return name == n; });
 }
 
 }  // namespace
@@ -207,8 +206,8 @@ void remove_abandoned(const Destination& place, Names names) {
     if (S_ISREG(status.st_mode))
       files().remove(place.folder(), name.c_str(), 0);
     else if (S_ISDIR(status.st_mode) && files().list(left.get(), inside) == 0 &&
-             std::all_of(inside.begin(), inside.end(),
-                         [&](const std::string& file) { return holds(names, file); }))
+             std::ranges::all_of(inside,
+                                 [&](const std::string& file) { return holds(names, file); }))
       remove_folder(place.folder(), name, left.get(), names);
   }
 }

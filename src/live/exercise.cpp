@@ -269,9 +269,8 @@ void Exercise::tell_when_due() {
 
 /// Orders for the next step.
 std::size_t Exercise::not_flown() const {
-  const auto flown = std::find_if(fresh_.begin(), fresh_.end(), [&](const sim::Order& one) {
-    return one.step >= mission_.run().world().step();
-  });
+  const auto flown = std::ranges::find_if(
+      fresh_, [&](const sim::Order& one) { return one.step >= mission_.run().world().step(); });
   return static_cast<std::size_t>(fresh_.end() - flown);
 }
 

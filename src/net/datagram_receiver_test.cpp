@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "net/datagram_receiver.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "net/datagram_sender.hpp"
+#include "net/datagrams.hpp"
 #include "support/soon.hpp"
 
 namespace eyrie::net {

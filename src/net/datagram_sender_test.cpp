@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "net/datagram_sender.hpp"
+#include "net/datagrams.hpp"
 
 #include <gtest/gtest.h>
 

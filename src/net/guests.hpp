@@ -36,8 +36,7 @@ class Guests {
   /// Lets him in if there is room for one more, or one who is silent can be shown out.
   bool admit(const Ptr& guest) {
     if (all_.size() >= most_) {
-      const auto silent =
-          std::find_if(all_.begin(), all_.end(), [](const Ptr& one) { return one->silent(); });
+      const auto silent = std::ranges::find_if(all_, [](const Ptr& one) { return one->silent(); });
       if (silent == all_.end()) {
         ++refused;
         return false;
@@ -58,7 +57,7 @@ class Guests {
       return;
     guest->gone = true;
     guest->close();
-    all_.erase(std::find(all_.begin(), all_.end(), guest));
+    all_.erase(std::ranges::find(all_, guest));
     if (on_end)
       on_end(*guest);
   }

@@ -28,8 +28,6 @@ class TelemetryHost {
   /// Listens. Throws std::system_error if it cannot.
   explicit TelemetryHost(TelemetryOptions options);
   ~TelemetryHost();
-  TelemetryHost(const TelemetryHost&) = delete;
-  TelemetryHost& operator=(const TelemetryHost&) = delete;
 
   /// With the port that was free, if any would do.
   [[nodiscard]] const Endpoint& at() const;

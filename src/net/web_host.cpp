@@ -8,7 +8,6 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
-#include <optional>
 
 #include "net/guests.hpp"
 
@@ -138,7 +137,7 @@ struct WebHost::Network {
 
   void answer(const VisitorPtr& visitor) {
     const auto all = guests.all();
-    if (std::count_if(all.begin(), all.end(), [](const auto& one) { return !one->silent(); }) >=
+    if (std::ranges::count_if(all, [](const auto& one) { return !one->silent(); }) >=
         static_cast<std::ptrdiff_t>(options.connections))
       return say(visitor, http::status::service_unavailable, "too many look on; come again later");
     if (!visitor->request.is_done())

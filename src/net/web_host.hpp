@@ -54,8 +54,6 @@ class WebHost {
   /// Listens. Throws std::system_error if it cannot.
   explicit WebHost(WebOptions options);
   ~WebHost();
-  WebHost(const WebHost&) = delete;
-  WebHost& operator=(const WebHost&) = delete;
 
   /// With the port that was free, if any would do.
   [[nodiscard]] const Endpoint& at() const;

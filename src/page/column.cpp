@@ -39,7 +39,7 @@ std::int64_t Column::rounded(double value) const {
   return static_cast<std::int64_t>(std::clamp(quanta, -kMost, kMost));
 }
 
-ColumnPlace ColumnBytes::put(const Column& column) {
+Json ColumnBytes::put(const Column& column) {
   std::array<std::size_t, 3> sizes{};
   Differences measured;
   for (const std::int64_t value : column.values()) {
@@ -47,19 +47,12 @@ ColumnPlace ColumnBytes::put(const Column& column) {
     for (std::size_t order = 0; order < sizes.size(); ++order)
       sizes[order] += varint_size(numbers[order]);
   }
-  const auto order =
-      static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
-  const ColumnPlace place{bytes_.size(), column.values().size(), column.quantum(),
-                          static_cast<int>(order)};
+  const auto order = static_cast<std::size_t>(std::ranges::min_element(sizes) - sizes.begin());
+  Json place = Json::array({bytes_.size(), column.values().size(), column.quantum(), order});
   Differences written;
   for (const std::int64_t value : column.values())
     put_varint(bytes_, written.next(value)[order]);
   return place;
-}
-
-Json put(ColumnBytes& bytes, const Column& column) {
-  const ColumnPlace place = bytes.put(column);
-  return Json::array({place.offset, place.count, place.quantum, place.order});
 }
 
 Columns::Columns(std::initializer_list<Head> heads) {
@@ -82,7 +75,7 @@ void Columns::forget() {
 Json Columns::json(ColumnBytes& bytes) const {
   Json json = Json::object();  // one made of null ends the program where memory runs out
   for (const auto& [name, column] : columns_)
-    json[std::string(name)] = put(bytes, column);
+    json[std::string(name)] = bytes.put(column);
   return json;
 }
 

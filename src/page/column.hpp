@@ -35,26 +35,18 @@ class Column {
   std::vector<std::int64_t> values_;
 };
 
-/// Where a column stands among the bytes: offset, count, quantum, order of the differences.
-struct ColumnPlace {
-  std::size_t offset = 0, count = 0;
-  double quantum = 1;
-  int order = 0;
-};
-
 /// Columns one behind the other, each as zigzag varints of whichever differences take the fewest
 /// bytes: none, first or second.
 class ColumnBytes {
  public:
-  ColumnPlace put(const Column& column);
+  /// Gives where it stands, as decode.ts expects it: [offset, count, quantum, order of the
+  /// differences].
+  Json put(const Column& column);
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
  private:
   std::string bytes_;
 };
-
-/// A column as decode.ts expects it.
-[[nodiscard]] Json put(ColumnBytes& bytes, const Column& column);
 
 /// Columns that grow together, with their names in the page.
 class Columns {

@@ -13,9 +13,8 @@
 namespace eyrie::page {
 namespace {
 
-std::vector<std::int64_t> read_column(const ColumnBytes& bytes, const ColumnPlace& place) {
-  return test::read_column(std::string_view(bytes.bytes()).substr(place.offset), place.count,
-                           place.order);
+std::vector<std::int64_t> read_column(const ColumnBytes& bytes, const Json& place) {
+  return test::read_column(std::string_view(bytes.bytes()).substr(place[0]), place[1], place[3]);
 }
 
 RC_GTEST_PROP(Column, ComesBackToWithinHalfAQuantum, (std::vector<std::int32_t> raw)) {
@@ -26,7 +25,7 @@ RC_GTEST_PROP(Column, ComesBackToWithinHalfAQuantum, (std::vector<std::int32_t> 
   }
   ColumnBytes bytes;
   static_cast<void>(bytes.put(other));
-  const ColumnPlace place = bytes.put(column);
+  const Json place = bytes.put(column);
   const auto back = read_column(bytes, place);
   RC_ASSERT(back.size() == raw.size());
   for (std::size_t i = 0; i < raw.size(); ++i)
@@ -51,9 +50,9 @@ TEST(Column, TakesTheDifferencesThatAreShortest) {
     parabola.add(1000.0 * i * i);
   }
   ColumnBytes bytes;
-  EXPECT_EQ(bytes.put(constant).order, 1);
-  EXPECT_EQ(bytes.put(ramp).order, 2);
-  EXPECT_EQ(bytes.put(parabola).order, 2);
+  EXPECT_EQ(bytes.put(constant)[3], 1);
+  EXPECT_EQ(bytes.put(ramp)[3], 2);
+  EXPECT_EQ(bytes.put(parabola)[3], 2);
   EXPECT_LT(bytes.bytes().size(), 6000U);
 }
 

@@ -204,8 +204,7 @@ class Decisions {
     for (std::size_t i = 0; i < blank.size(); ++i) {
       const auto node = static_cast<ubf::NodeIndex>(i);
       const auto& row = trace.row(node);
-      if (row.ticked &&
-          std::find(row.supplier.begin(), row.supplier.end(), node) != row.supplier.end())
+      if (row.ticked && std::ranges::find(row.supplier, node) != row.supplier.end())
         suppliers_.push_back(node);
     }
     fields_ = ubf::kFields<Action>;
@@ -219,9 +218,9 @@ class Decisions {
     Json values = Json::array();
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (!values_[i].values().empty())
-        values.push_back({i / fields_, i % fields_, put(bytes, values_[i])});
-    return {{"step", put(bytes, step_)},
-            {"shape", put(bytes, shape_column_)},
+        values.push_back({i / fields_, i % fields_, bytes.put(values_[i])});
+    return {{"step", bytes.put(step_)},
+            {"shape", bytes.put(shape_column_)},
             {"values", std::move(values)}};
   }
   [[nodiscard]] bool empty() const { return step_.values().empty(); }

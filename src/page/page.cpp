@@ -4,7 +4,6 @@
 #include <zlib.h>
 
 #include "core/assert.hpp"
-#include "page/page_data.hpp"
 #include "sim/trail.hpp"
 
 namespace eyrie::page {

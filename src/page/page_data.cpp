@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "page/page_data.hpp"
+#include "page/page.hpp"
 
 #include "core/hash.hpp"
 #include "debrief/decision.hpp"

@@ -102,13 +102,13 @@ void Sights::add(const driver::State& s) {
 Json Sights::json(ColumnBytes& bytes) const {
   Json state = Json::array();
   for (const Column& column : state_)
-    state.push_back(put(bytes, column));
+    state.push_back(bytes.put(column));
   const auto counted = [&](const Column& counts, const Columns& all) {
-    Json j{{"count", put(bytes, counts)}};
+    Json j{{"count", bytes.put(counts)}};
     j.update(all.json(bytes));
     return j;
   };
-  Json j{{"t", put(bytes, t_)}, {"state", std::move(state)}};
+  Json j{{"t", bytes.put(t_)}, {"state", std::move(state)}};
   j["tracks"] = counted(track_counts_, tracks_);
   j["warnings"] = counted(warning_counts_, warnings_);
   j["scan"] = scan_.empty() ? Json() : scan_.json(bytes);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/angle.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::record {
@@ -216,7 +215,7 @@ void AcmiWriter::write_lines() {
   std::vector<const AcmiLine*> sorted;
   for (const AcmiLine& line : lines)
     sorted.push_back(&line);
-  std::sort(sorted.begin(), sorted.end(), [](const AcmiLine* a, const AcmiLine* b) {
+  std::ranges::sort(sorted, [](const AcmiLine* a, const AcmiLine* b) {
     return std::tuple(a->step, a->kind, a) < std::tuple(b->step, b->kind, b);
   });
   std::string text = written_frame_.empty() ? header_ : "";

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/acmi.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
@@ -38,22 +36,6 @@ std::string escaped(std::string_view text, std::string_view line_end, std::strin
   return out;
 }
 
-}  // namespace
-
-std::string acmi_text(std::string_view text) {
-  return escaped(text, "\\\n", "|");
-}
-
-std::string acmi_name(std::string_view text) {
-  return escaped(text, " ", "|");
-}
-
-std::string acmi_event_text(std::string_view text) {
-  return escaped(text, " ", "\xEF\xBD\x9C");
-}
-
-namespace {
-
 constexpr double kSpeedStep = 0.5, kMachStep = 0.005, kLoadStep = 0.05,
                  kFuelStep = 5;  // m/s, -, g, kg
 constexpr float kVoteStep = 0.05F;
@@ -70,7 +52,50 @@ void follow(double& written, double value, double step) {
     written = value;
 }
 
+/// Of the line from `a` to `b` at the time of `p`, in tolerances.
+double error(const Pose& a, const Pose& p, const Pose& b, const Tolerance& tolerance) {
+  const double part = (p.time - a.time) / (b.time - a.time);
+  const double off = norm(a.position + part * (b.position - a.position) - p.position);
+  const auto turned = [&](double Pose::*angle) {
+    return std::fabs(wrap_pi(a.*angle + part * wrap_pi(b.*angle - a.*angle) - p.*angle));
+  };
+  return std::max(off / tolerance.position,
+                  std::max({turned(&Pose::roll), turned(&Pose::pitch), turned(&Pose::heading)}) /
+                      tolerance.attitude);
+}
+
+/// Whether the short way round from one to the other is in doubt once both are rounded.
+bool turns_round(const Pose& a, const Pose& b) {
+  const auto half = [&](double Pose::*angle) {
+    return std::fabs(wrap_pi(b.*angle - a.*angle)) > radians(175);
+  };
+  return half(&Pose::roll) || half(&Pose::pitch) || half(&Pose::heading);
+}
+
+/// Whether all between two poses lie near the line.
+bool fits(std::span<const Pose> poses, std::size_t from, std::size_t to,
+          const Tolerance& tolerance) {
+  if (to > from + 1 && turns_round(poses[from], poses[to]))
+    return false;
+  for (std::size_t i = from + 1; i < to; ++i)
+    if (error(poses[from], poses[i], poses[to], tolerance) > 1)
+      return false;
+  return true;
+}
+
 }  // namespace
+
+std::string acmi_text(std::string_view text) {
+  return escaped(text, "\\\n", "|");
+}
+
+std::string acmi_name(std::string_view text) {
+  return escaped(text, " ", "|");
+}
+
+std::string acmi_event_text(std::string_view text) {
+  return escaped(text, " ", "\xEF\xBD\x9C");
+}
 
 void AcmiObject::see(AcmiSample sample) {
   if (samples_.empty()) {
@@ -170,41 +195,6 @@ void AcmiObject::write_line(const Told& before, std::string& text) const {
     fmt::format_to(to, ",UbfWinner={0},UbfVote={1:g},Label={0} {1:g}", told_.winner, told_.vote);
   text += '\n';
 }
-
-namespace {
-
-/// Of the line from `a` to `b` at the time of `p`, in tolerances.
-double error(const Pose& a, const Pose& p, const Pose& b, const Tolerance& tolerance) {
-  const double part = (p.time - a.time) / (b.time - a.time);
-  const double off = norm(a.position + part * (b.position - a.position) - p.position);
-  const auto turned = [&](double Pose::*angle) {
-    return std::fabs(wrap_pi(a.*angle + part * wrap_pi(b.*angle - a.*angle) - p.*angle));
-  };
-  return std::max(off / tolerance.position,
-                  std::max({turned(&Pose::roll), turned(&Pose::pitch), turned(&Pose::heading)}) /
-                      tolerance.attitude);
-}
-
-/// Whether the short way round from one to the other is in doubt once both are rounded.
-bool turns_round(const Pose& a, const Pose& b) {
-  const auto half = [&](double Pose::*angle) {
-    return std::fabs(wrap_pi(b.*angle - a.*angle)) > radians(175);
-  };
-  return half(&Pose::roll) || half(&Pose::pitch) || half(&Pose::heading);
-}
-
-/// Whether all between two poses lie near the line.
-bool fits(std::span<const Pose> poses, std::size_t from, std::size_t to,
-          const Tolerance& tolerance) {
-  if (to > from + 1 && turns_round(poses[from], poses[to]))
-    return false;
-  for (std::size_t i = from + 1; i < to; ++i)
-    if (error(poses[from], poses[i], poses[to], tolerance) > 1)
-      return false;
-  return true;
-}
-
-}  // namespace
 
 void thin(std::span<const Pose> poses, std::vector<bool>& kept, const Tolerance& tolerance) {
   std::size_t from = 0;

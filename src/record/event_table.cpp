@@ -15,9 +15,7 @@ constexpr std::size_t kFixed = 15;
 /// Where the column of a value stands.
 std::size_t place_of(std::string_view column) {
   const auto& all = event_columns();
-  return static_cast<std::size_t>(
-      std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.name == column; }) -
-      all.begin());
+  return static_cast<std::size_t>(std::ranges::find(all, column, &EventColumn::name) - all.begin());
 }
 
 Cell cell_of(std::string text) {
@@ -41,6 +39,20 @@ Cell defense_word(float number) {
   constexpr std::array kNames{"turn_in", "break", "notch", "drag", "last_ditch", "out"};
   const auto i = static_cast<std::size_t>(std::max(number, 1.0F)) - 1;
   return std::string(kNames[std::min(i, kNames.size() - 1)]);
+}
+
+/// who and whom as the names of columns.
+std::string marked(std::string_view help) {
+  std::string text;
+  while (!help.empty()) {
+    const std::size_t end = std::min(help.find_first_of(" .,:;"), help.size());
+    const std::string_view word = help.substr(0, end);
+    const std::string_view after = help.substr(end, 1);
+    const std::string_view mark = word == "who" || word == "whom" ? "`" : "";
+    text += fmt::format("{0}{1}{0}{2}", mark, word, after);
+    help.remove_prefix(end + after.size());
+  }
+  return text;
 }
 
 }  // namespace
@@ -74,8 +86,7 @@ const std::vector<EventColumn>& event_columns() {
     };
     for (const model::EventInfo& info : model::event_infos())
       for (const model::EventValue& value : model::event_values(info.kind))
-        if (std::none_of(columns.begin(), columns.end(),
-                         [&](const auto& c) { return c.name == value.column; }))
+        if (std::ranges::none_of(columns, [&](const auto& c) { return c.name == value.column; }))
           columns.push_back({value.column,
                              // of some kinds true, of others believed
                              value.column == "range_m"
@@ -153,24 +164,6 @@ std::vector<Cell> EventTable::row(const sim::Event& e, const sim::StepInfo& info
     cells[place_of(what.column)] = value(e, what, *number++);
   return cells;
 }
-
-namespace {
-
-/// who and whom as the names of columns.
-std::string marked(std::string_view help) {
-  std::string text;
-  while (!help.empty()) {
-    const std::size_t end = std::min(help.find_first_of(" .,:;"), help.size());
-    const std::string_view word = help.substr(0, end);
-    const std::string_view after = help.substr(end, 1);
-    const std::string_view mark = word == "who" || word == "whom" ? "`" : "";
-    text += fmt::format("{0}{1}{0}{2}", mark, word, after);
-    help.remove_prefix(end + after.size());
-  }
-  return text;
-}
-
-}  // namespace
 
 std::string events_markdown() {
   std::string text =

@@ -36,7 +36,7 @@ Json map_of(Json value) {
 // nodes
 
 bool has(const ubf::NodeInfo& node, std::string_view key) {
-  return std::find(node.child_keys.begin(), node.child_keys.end(), key) != node.child_keys.end();
+  return std::ranges::find(node.child_keys, key) != node.child_keys.end();
 }
 
 /// A vote that follows the state, in the place of a number (ubf/vote_curve.hpp).
@@ -142,8 +142,7 @@ Json reference_schema() {
 /// What stands below the name of a node.
 Json body(const ubf::NodeInfo& node) {
   Json map = node_map(node);
-  if (std::equal(node.child_keys.begin(), node.child_keys.end(), ubf::kSequencerKeys.begin(),
-                 ubf::kSequencerKeys.end()))
+  if (std::ranges::equal(node.child_keys, ubf::kSequencerKeys))
     return sequencer(std::move(map));
   if (has(node, "cases"))
     return switch_body(std::move(map));
@@ -157,9 +156,7 @@ Json body(const ubf::NodeInfo& node) {
 }
 
 bool stands_alone(const ubf::NodeInfo& node) {
-  return node.child_keys.empty() &&
-         std::none_of(node.parameters.begin(), node.parameters.end(),
-                      [](const ParamInfo& info) { return info.required; });
+  return node.child_keys.empty() && std::ranges::none_of(node.parameters, &ParamInfo::required);
 }
 
 Json node_definition(const Catalog& catalog) {
@@ -264,8 +261,7 @@ class Root {
 
  private:
   const FilePart& part(std::string_view name) const {
-    return *std::find_if(catalog_.file.begin(), catalog_.file.end(),
-                         [&](const FilePart& p) { return p.name == name; });
+    return *std::ranges::find(catalog_.file, name, &FilePart::name);
   }
 
   /// The shape of a key that is read by hand, under the description it has already.
@@ -283,7 +279,7 @@ class Root {
                                                                  "data"};
     Json is_scenario = Json::array();
     for (const auto& [key, shape] : schema["properties"].items())
-      if (std::find(kOfPackages.begin(), kOfPackages.end(), key) == kOfPackages.end())
+      if (std::ranges::find(kOfPackages, key) == kOfPackages.end())
         is_scenario.push_back(needing(key));
     schema["if"] = {{"anyOf", is_scenario}, {"not", needing("extends")}};
     schema["then"] = {{"required", schema["required"]},

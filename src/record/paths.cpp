@@ -218,30 +218,6 @@ void add_lines(const Paths& paths, std::uint32_t id, const Path& path, ordered_j
   }
 }
 
-}  // namespace
-
-std::string czml(const Paths& paths) {
-  const auto& spec = paths.scenario().spec;
-  ordered_json all = ordered_json::array();
-  all.push_back({{"id", "document"},
-                 {"name", spec.name},
-                 {"version", "1.0"},
-                 {"clock",
-                  {{"interval", interval(0, paths.end_time())},
-                   {"currentTime", date(0)},
-                   {"multiplier", 10},
-                   {"range", "LOOP_STOP"}}}});
-  for (const auto& [id, path] : paths.all())
-    if (path.points.size() > 1)
-      all.push_back(packet(id, path));
-  for (const auto& [id, path] : paths.all())
-    if (path.points.size() > 1)
-      add_lines(paths, id, path, all);
-  return json_text(all) + "\n";
-}
-
-namespace {
-
 using nlohmann::ordered_json;
 
 ordered_json coordinates(const Geodetic& place) {
@@ -326,6 +302,26 @@ void add_plan(const model::Library& library, const model::Flight& flight, ordere
 }
 
 }  // namespace
+
+std::string czml(const Paths& paths) {
+  const auto& spec = paths.scenario().spec;
+  ordered_json all = ordered_json::array();
+  all.push_back({{"id", "document"},
+                 {"name", spec.name},
+                 {"version", "1.0"},
+                 {"clock",
+                  {{"interval", interval(0, paths.end_time())},
+                   {"currentTime", date(0)},
+                   {"multiplier", 10},
+                   {"range", "LOOP_STOP"}}}});
+  for (const auto& [id, path] : paths.all())
+    if (path.points.size() > 1)
+      all.push_back(packet(id, path));
+  for (const auto& [id, path] : paths.all())
+    if (path.points.size() > 1)
+      add_lines(paths, id, path, all);
+  return json_text(all) + "\n";
+}
 
 std::string geojson(const Paths& paths) {
   ordered_json features = ordered_json::array();

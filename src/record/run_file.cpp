@@ -42,6 +42,9 @@ bool same_bytes(const std::vector<sim::Order>& a, const std::vector<sim::Order>&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(sim::Order)) == 0);
 }
 
+constexpr std::size_t kChunk = 1 << 12;
+constexpr std::size_t kEnds = 32;  // more than a sink holds back
+
 }  // namespace
 
 bool operator==(const RunFile& a, const RunFile& b) {
@@ -179,11 +182,6 @@ Decoded read_run_file(const std::string& path) {
   return read.problem.empty() ? decode(read.bytes) : Decoded{{}, read.problem};
 }
 
-namespace {
-constexpr std::size_t kChunk = 1 << 12;
-constexpr std::size_t kEnds = 32;  // more than a sink holds back
-}  // namespace
-
 RunFileWriter::RunFileWriter(disk::Sink& sink, const RunFile& run) : sink_(sink) {
   sink_.write(encoder_.head(run));
 }
@@ -204,8 +202,8 @@ std::string RunFileWriter::close(std::span<const sim::Order> orders, std::string
     const std::string error = sink_.error();
     if (!sink_.cut(end.size))
       continue;
-    const auto later = std::find_if(orders.begin(), orders.end(),
-                                    [&](const sim::Order& o) { return o.step >= end.step; });
+    const auto later =
+        std::ranges::find_if(orders, [&](const sim::Order& o) { return o.step >= end.step; });
     sink_.write(end.encoder.tail(trail_.steps_per_second(), {orders.begin(), later}, outcome));
     kept_until_ = static_cast<double>(end.step) / trail_.steps_per_second();
     lost =

@@ -6,7 +6,6 @@
 #include "core/units.hpp"
 #include "model/track.hpp"
 #include "model/weapon/missile.hpp"
-#include "record/names.hpp"
 
 namespace eyrie::record {
 using model::EventKind;

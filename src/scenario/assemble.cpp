@@ -193,8 +193,7 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   scenario.missiles = model::MissileColumns::define(schema, all_missiles(starts));
   scenario.pilots = pilot::PilotColumns::define(
       schema, scenario.aircraft.table, static_cast<std::uint32_t>(scenario.trees->max_memory()));
-  if (std::any_of(scenario.roster.players.begin(), scenario.roster.players.end(),
-                  [](const Roster::Player& p) { return p.remote; }))
+  if (std::ranges::any_of(scenario.roster.players, &Roster::Player::remote))
     scenario.remote =
         model::RemoteColumns::define(schema, scenario.aircraft.table, scenario.missiles.table);
   if (!vehicles.empty()) {
@@ -292,9 +291,10 @@ Vec3 resolve(const PlaceSpec& place, double altitude, const Reference& reference
     const Vec3 ground = local ? Vec3{*place.north, *place.east, 0}
                               : reference.to_local({*place.latitude, *place.longitude, 0});
     if (const double distance = norm(ground); distance > kReach) {
-      diagnostics.error(where, fmt::format("this place is {:.0f} km from the reference point; the "
-                                           "local frame reaches {:.0f} km",
-                                           distance / 1000, kReach / 1000));
+      diagnostics.error(where,
+                        "this place is {:.0f} km from the reference point; the "
+                        "local frame reaches {:.0f} km",
+                        distance / 1000, kReach / 1000);
       return {};
     }
     return local ? at_altitude(reference, *place.north, *place.east, altitude)

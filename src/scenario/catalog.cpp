@@ -105,7 +105,7 @@ ModelKind kind(const KindOfModel<Model>& of, const Source& source) {
 Catalog make_catalog(const Source& source, const Plugins& plugins) {
   Catalog result;
   result.scenarios = source.shipped_names();
-  std::sort(result.scenarios.begin(), result.scenarios.end());
+  std::ranges::sort(result.scenarios);
   result.file = file_parts();
   const auto nodes = plugins.registries().pilots.catalog();
   result.nodes.assign(nodes.begin(), nodes.end());
@@ -117,8 +117,7 @@ Catalog make_catalog(const Source& source, const Plugins& plugins) {
     FilePart group = added->group();
     result.others.push_back({std::string(added->fleet()->words.plural), std::string(added->key()),
                              group.name, added->nodes(), added->state_fields()});
-    FilePart& side = *std::find_if(result.file.begin(), result.file.end(),
-                                   [](const FilePart& part) { return part.name == "side"; });
+    FilePart& side = *std::ranges::find(result.file, "side", &FilePart::name);
     side.parameters.push_back(custom(std::string(added->key()), "map", group.help + ", by name"));
     result.file.push_back(std::move(group));
   }

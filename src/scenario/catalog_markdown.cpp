@@ -179,8 +179,7 @@ class Writer {
           field.help);
   }
   static bool is_sequencer(const ubf::NodeInfo& node) {
-    return std::equal(node.child_keys.begin(), node.child_keys.end(), ubf::kSequencerKeys.begin(),
-                      ubf::kSequencerKeys.end());
+    return std::ranges::equal(node.child_keys, ubf::kSequencerKeys);
   }
   static std::string children(const ubf::NodeInfo& node) {
     if (node.child_keys.empty() || is_sequencer(node))

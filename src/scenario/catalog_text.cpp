@@ -78,6 +78,62 @@ std::string table_text(const ParamInfo& table) {
   return fmt::format("table of {}s over {}", dimension_word(table.unit.dimension), text);
 }
 
+/// As a file may write it: what it needs, and a few of its parameters as they are if nothing is
+/// said.
+std::string example(const ubf::NodeInfo& node) {
+  constexpr std::size_t kFew = 3;
+  constexpr std::array kOwn{
+      // their defaults alone make no sense
+      "commitment: {margin: 5, children: [navigate, follow_lead]}",
+      "verify: {bounds: {altitude: {min: 1000 ft}}, fallback: true, children: [navigate, "
+      "follow_lead]}",
+      "sequencer: {start: ingress, trees: {ingress: navigate, fight: pursue}, transitions: "
+      "[{from: ingress, to: fight, when: {hostile_track: {within: 40 nmi}}}]}"};
+  for (const std::string_view own : kOwn)
+    if (own.starts_with(node.name + ":"))
+      return std::string(own);
+  std::vector<std::string> words;
+  for (const ParamInfo& p : node.parameters) {
+    const bool short_default = !p.default_text.empty() && p.default_text != "null";
+    if (p.required)
+      words.push_back(fmt::format("{}: <{}>", p.name, kind_text(p)));
+    else if (short_default && words.size() < kFew && p.kind != ParamKind::list)
+      words.push_back(fmt::format("{}: {}", p.name, p.default_text));
+  }
+  const bool many = std::ranges::find(node.child_keys, "children") != node.child_keys.end();
+  for (const std::string& key : node.child_keys)
+    if (key != "child" || !many)
+      words.push_back(key == "children" ? "children: [navigate, follow_lead]" : key + ": navigate");
+  return words.empty() ? node.name : fmt::format("{}: {{{}}}", node.name, fmt::join(words, ", "));
+}
+
+std::string node_text(const ubf::NodeInfo& node, std::string_view trees_of) {
+  std::size_t width = 0;
+  each_parameter(node.parameters, [&](const std::string& path, const ParamInfo&) {
+    width = std::max(width, path.size());
+  });
+  std::string text = fmt::format("{} ({}{}{}): {}\n", node.name, to_text(node.kind),
+                                 trees_of.empty() ? "" : " in trees of ", trees_of, node.help);
+  each_parameter(node.parameters, [&](const std::string& path, const ParamInfo& p) {
+    std::string what = kind_text(p);
+    if (const std::string range = range_text(p); !range.empty())
+      what += ", " + range;
+    if (const std::string value = default_text(p); !value.empty())
+      what += (p.required ? ", " : ", default ") + value;
+    fmt::format_to(std::back_inserter(text), "  {:<{}}  {} ({})\n", path, width, p.help, what);
+  });
+  return text + fmt::format("in a tree\n  {}\n", example(node));
+}
+
+template <class Visit>
+void each_node(const Catalog& catalog, Visit visit) {
+  for (const ubf::NodeInfo& node : catalog.nodes)
+    visit(node, std::string_view());
+  for (const OtherKind& kind : catalog.others)
+    for (const ubf::NodeInfo& node : kind.nodes)
+      visit(node, std::string_view(kind.plural));
+}
+
 }  // namespace
 
 std::string_view dimension_word(Dimension dimension) {
@@ -162,67 +218,6 @@ void each_parameter(std::span<const ParamInfo> parameters,
       each_parameter(info.children.front().children, visit, path + "[].");
   }
 }
-
-namespace {
-
-/// As a file may write it: what it needs, and a few of its parameters as they are if nothing is
-/// said.
-std::string example(const ubf::NodeInfo& node) {
-  constexpr std::size_t kFew = 3;
-  constexpr std::array kOwn{
-      // their defaults alone make no sense
-      "commitment: {margin: 5, children: [navigate, follow_lead]}",
-      "verify: {bounds: {altitude: {min: 1000 ft}}, fallback: true, children: [navigate, "
-      "follow_lead]}",
-      "sequencer: {start: ingress, trees: {ingress: navigate, fight: pursue}, transitions: "
-      "[{from: ingress, to: fight, when: {hostile_track: {within: 40 nmi}}}]}"};
-  for (const std::string_view own : kOwn)
-    if (own.starts_with(node.name + ":"))
-      return std::string(own);
-  std::vector<std::string> words;
-  for (const ParamInfo& p : node.parameters) {
-    const bool short_default = !p.default_text.empty() && p.default_text != "null";
-    if (p.required)
-      words.push_back(fmt::format("{}: <{}>", p.name, kind_text(p)));
-    else if (short_default && words.size() < kFew && p.kind != ParamKind::list)
-      words.push_back(fmt::format("{}: {}", p.name, p.default_text));
-  }
-  const bool many = std::find(node.child_keys.begin(), node.child_keys.end(), "children") !=
-                    node.child_keys.end();
-  for (const std::string& key : node.child_keys)
-    if (key != "child" || !many)
-      words.push_back(key == "children" ? "children: [navigate, follow_lead]" : key + ": navigate");
-  return words.empty() ? node.name : fmt::format("{}: {{{}}}", node.name, fmt::join(words, ", "));
-}
-
-std::string node_text(const ubf::NodeInfo& node, std::string_view trees_of) {
-  std::size_t width = 0;
-  each_parameter(node.parameters, [&](const std::string& path, const ParamInfo&) {
-    width = std::max(width, path.size());
-  });
-  std::string text = fmt::format("{} ({}{}{}): {}\n", node.name, to_text(node.kind),
-                                 trees_of.empty() ? "" : " in trees of ", trees_of, node.help);
-  each_parameter(node.parameters, [&](const std::string& path, const ParamInfo& p) {
-    std::string what = kind_text(p);
-    if (const std::string range = range_text(p); !range.empty())
-      what += ", " + range;
-    if (const std::string value = default_text(p); !value.empty())
-      what += (p.required ? ", " : ", default ") + value;
-    fmt::format_to(std::back_inserter(text), "  {:<{}}  {} ({})\n", path, width, p.help, what);
-  });
-  return text + fmt::format("in a tree\n  {}\n", example(node));
-}
-
-template <class Visit>
-void each_node(const Catalog& catalog, Visit visit) {
-  for (const ubf::NodeInfo& node : catalog.nodes)
-    visit(node, std::string_view());
-  for (const OtherKind& kind : catalog.others)
-    for (const ubf::NodeInfo& node : kind.nodes)
-      visit(node, std::string_view(kind.plural));
-}
-
-}  // namespace
 
 std::optional<std::string> node_text(const Catalog& catalog, std::string_view name) {
   std::string text;

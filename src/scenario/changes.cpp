@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/changes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
@@ -47,7 +45,7 @@ class Changer {
         if (item.is_scalar())
           add(Change::What::remove, item.text, item.where, {});
         else
-          error(item.where, "remove: expected a path or a list of paths, got " + item.shown());
+          error(item.where, "remove: expected a path or a list of paths, got {}", item.shown());
       }
     }
   }
@@ -57,9 +55,8 @@ class Changer {
     if (!sound_)
       return;
     // deep ones first: a map or list that changes moves what is below it
-    std::stable_sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
-      return a.passed.size() > b.passed.size();
-    });
+    std::ranges::stable_sort(changes_, std::ranges::greater(),
+                             [](const Change& c) { return c.passed.size(); });
     for (auto first = changes_.begin(); first != changes_.end();) {
       const auto last = std::stable_partition(
           first, changes_.end(), [in = first->in](const Change& c) { return c.in == in; });
@@ -72,24 +69,24 @@ class Changer {
   }
 
  private:
-  void error(const Location& where, std::string message) {
+  template <class... T>
+  void error(const Location& where, fmt::format_string<T...> words, T&&... values) {
     sound_ = false;
-    diagnostics_.error(where, std::move(message));
+    diagnostics_.error(where, "{}", fmt::format(words, std::forward<T>(values)...));
   }
 
   const Value* map(const Value& own, std::string_view key) {
     const Value* changes = own.find(key);
     if (!changes || changes->is_map())
       return changes;
-    error(changes->where,
-          fmt::format("{}: expected a map from paths to values, got {}", key, changes->shown()));
+    error(changes->where, "{}: expected a map from paths to values, got {}", key, changes->shown());
     return nullptr;
   }
 
   void add(Change::What what, const std::string& written, const Location& where,
            const Value& value) {
     if (changes_.size() == kMostChanges)
-      return error(where, fmt::format("more than {} changes", kMostChanges));
+      return error(where, "more than {} changes", kMostChanges);
     Change change{.what = what, .path = written, .where = where, .value = value};
     std::string_view side;
     if (what == Change::What::insert)
@@ -100,7 +97,7 @@ class Changer {
     const std::string_view word = std::string_view(written).substr(0, written.find(' '));
     if (what == Change::What::insert && side.empty() && word.size() < written.size())
       if (const std::string hint = did_you_mean(word, kSides); !hint.empty())
-        return error(where, fmt::format("{} is no place to insert at{}", quote(word), hint));
+        return error(where, "{} is no place to insert at{}", quote(word), hint);
     change.path.erase(0, side.size());
     Location place = where;
     place.column += static_cast<int>(side.size());
@@ -124,7 +121,7 @@ class Changer {
     const bool is_new_key = change.what == Change::What::insert && list != change.in &&
                             (!list || !has_item(*list, last));
     if (!change.in->is_map() && !list) {
-      error(last.where, not_here(*change.in, last.text));
+      error(last.where, "{}", not_here(*change.in, last.text));
       return false;
     }
     if (list && list != change.in && !is_new_key) {
@@ -156,21 +153,20 @@ class Changer {
       change.at = *index + (side == "after " ? 1 : 0);
       return keep(std::move(change), inserts ? nullptr : &in.items[*index]);
     }
-    const auto entry = std::find_if(in.entries.begin(), in.entries.end(),
-                                    [&](const Value::Entry& e) { return e.key == last.text; });
+    const auto entry = std::ranges::find(in.entries, last.text, &Value::Entry::key);
     const bool there = entry != in.entries.end();
     change.at = static_cast<std::size_t>(entry - in.entries.begin());
     if (!side.empty())
-      error(last.where, fmt::format("{} is for items of lists; in a map the order does not count",
-                                    quote(side.substr(0, side.size() - 1))));
+      error(last.where, "{} is for items of lists; in a map the order does not count",
+            quote(side.substr(0, side.size() - 1)));
     else if (inserts && there && !entry->value.is_null())
       append(std::move(change), last);
     else if (!inserts && !there)
-      error(last.where,
+      error(last.where, "{}",
             not_here(in, last.text,
                      change.what == Change::What::replace ? " ('insert' adds what is new)" : ""));
     else if (!there && is_composite(in))
-      error(last.where, not_here(in, last.text));
+      error(last.where, "{}", not_here(in, last.text));
     else if (!there) {
       change.key = last.text;
       keep(std::move(change), nullptr);
@@ -190,13 +186,11 @@ class Changer {
       return;
     if (!list->is_list()) {
       const bool maps = list->is_map() && change.value.is_map() && !change.value.entries.empty();
-      return error(
-          last.where,
-          fmt::format("{} is there already ({}), and no list; {}", quote(last.text),
-                      list->where.text(),
-                      maps ? fmt::format("'insert' each new key by its own path, which ends in {}",
-                                         quote(last.text + "." + change.value.entries[0].key))
-                           : "'replace' puts something else in its place"));
+      return error(last.where, "{} is there already ({}), and no list; {}", quote(last.text),
+                   list->where.text(),
+                   maps ? fmt::format("'insert' each new key by its own path, which ends in {}",
+                                      quote(last.text + "." + change.value.entries[0].key))
+                        : "'replace' puts something else in its place");
     }
     change.in = list;
     change.at = list->items.size() + 1;
@@ -205,14 +199,13 @@ class Changer {
 
   void keep(Change change, const Value* target) {
     if (target && target->where.file == own_)
-      return error(change.where, fmt::format("{} stands in this file, at {}: change it there",
-                                             quote(change.path), target->where.text()));
+      return error(change.where, "{} stands in this file, at {}: change it there",
+                   quote(change.path), target->where.text());
     if (target) {
       const auto [other, fresh] = targets_.emplace(target, changes_.size());
       if (!fresh)
-        return error(change.where,
-                     fmt::format("{} is changed twice (also at {})", quote(change.path),
-                                 changes_[other->second].where.text()));
+        return error(change.where, "{} is changed twice (also at {})", quote(change.path),
+                     changes_[other->second].where.text());
     }
     changes_.push_back(std::move(change));
   }
@@ -221,9 +214,8 @@ class Changer {
     for (const Change& change : changes_)
       for (const Value* value : change.passed)
         if (const auto target = targets_.find(value); target != targets_.end())
-          error(change.where,
-                fmt::format("{} is inside of what another change takes away (at {})",
-                            quote(change.path), changes_[target->second].where.text()));
+          error(change.where, "{} is inside of what another change takes away (at {})",
+                quote(change.path), changes_[target->second].where.text());
   }
 
   static void put(const Change& change, std::vector<Value>& items) {
@@ -261,13 +253,13 @@ class Changer {
         gone.push_back(map.entries[change.at].key);
         note_removal(gone.back(), change, map);
       } else if (map.find(change.key)) {
-        error(change.where, fmt::format("{} is inserted twice", quote(change.path)));
+        error(change.where, "{} is inserted twice", quote(change.path));
       } else {
         map.entries.push_back({change.key, change.where, change.value});
       }
     }
     std::erase_if(map.entries, [&](const Value::Entry& e) {
-      return std::find(gone.begin(), gone.end(), e.key) != gone.end();
+      return std::ranges::find(gone, e.key) != gone.end();
     });
   }
 
@@ -289,7 +281,7 @@ class Changer {
 bool is_done_before_sets(std::string_view key) {
   static constexpr std::array<std::string_view, 5> kWords{"extends", "include", kInsert, kReplace,
                                                           kRemove};
-  return std::find(kWords.begin(), kWords.end(), key) != kWords.end();
+  return std::ranges::find(kWords, key) != kWords.end();
 }
 
 void make_changes(Value& document, const Value& own, std::vector<Removed>& removed,
@@ -303,7 +295,7 @@ Diagnostics blame_removals(const Diagnostics& found, const std::vector<Removed>&
   Diagnostics result;
   std::vector<bool> said(removed.size());  // who is missed once is missed everywhere
   for (const Diagnostic& d : found.sorted()) {
-    const auto guilty = std::find_if(removed.begin(), removed.end(), [&](const Removed& one) {
+    const auto guilty = std::ranges::find_if(removed, [&](const Removed& one) {
       return !(d.where.file == one.where.file) &&
              (d.where == one.from ||
               (!one.name.empty() && d.message.find(quote(one.name)) != d.message.npos));
@@ -314,9 +306,9 @@ Diagnostics blame_removals(const Diagnostics& found, const std::vector<Removed>&
     }
     const auto index = static_cast<std::size_t>(guilty - removed.begin());
     if (!said[index])
-      result.error(guilty->where, fmt::format("{} cannot be removed: {}",
-                                              guilty->name.empty() ? "it" : quote(guilty->name),
-                                              d.text().substr(0, d.text().find("; did you mean"))));
+      result.error(guilty->where, "{} cannot be removed: {}",
+                   guilty->name.empty() ? "it" : quote(guilty->name),
+                   d.text().substr(0, d.text().find("; did you mean")));
     said[index] = true;
   }
   return result;

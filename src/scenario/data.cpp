@@ -64,33 +64,31 @@ DataLoader::DataLoader(model::Library& library, const Value* inline_data, Source
 
 void DataLoader::check_inline(const Value::Entry& kind) {
   if (singular(kind.key).empty()) {
-    diagnostics_.error(kind.where, fmt::format("data has no kind {}{}", quote(kind.key),
-                                               did_you_mean(kind.key, kinds())));
+    diagnostics_.error(kind.where, "data has no kind {}{}", quote(kind.key),
+                       did_you_mean(kind.key, kinds()));
     return;
   }
   if (!kind.value.is_map())
-    diagnostics_.error(kind.value.where, fmt::format("data.{}: expected a map of names, got {}",
-                                                     kind.key, kind.value.shown()));
+    diagnostics_.error(kind.value.where, "data.{}: expected a map of names, got {}", kind.key,
+                       kind.value.shown());
   if (kind.value.entries.size() > kMostModels) {
-    diagnostics_.error(kind.where, fmt::format("data.{}: {} models; a scenario has at most {} of a "
-                                               "kind",
-                                               kind.key, kind.value.entries.size(), kMostModels));
+    diagnostics_.error(kind.where, "data.{}: {} models; a scenario has at most {} of a kind",
+                       kind.key, kind.value.entries.size(), kMostModels);
     return;
   }
   const std::vector<std::string> taken = source_.data_names(kind.key);
   for (const Value::Entry& model : kind.value.entries) {
     if (kind.key == "missiles" && model.key == "none")
-      diagnostics_.error(model.where,
-                         "data.missiles: 'none' means an empty station; give the "
-                         "missile another name");
-    if (const auto problem = identifier_problem(model.key))
-      diagnostics_.error(model.where, fmt::format("data.{}: {}", kind.key, *problem));
-    else if (std::binary_search(taken.begin(), taken.end(), model.key))
       diagnostics_.error(
           model.where,
-          fmt::format("{0} '{1}' is there already ({2}): give yours another name; "
-                      "'base: {1}' takes over what it does not say",
-                      singular(kind.key), model.key, source_.data_name(kind.key, model.key)));
+          "data.missiles: 'none' means an empty station; give the missile another name");
+    if (const auto problem = identifier_problem(model.key))
+      diagnostics_.error(model.where, "data.{}: {}", kind.key, *problem);
+    else if (std::ranges::binary_search(taken, model.key))
+      diagnostics_.error(model.where,
+                         "{0} '{1}' is there already ({2}): give yours another name; 'base: {1}' "
+                         "takes over what it does not say",
+                         singular(kind.key), model.key, source_.data_name(kind.key, model.key));
   }
 }
 
@@ -112,10 +110,10 @@ void DataLoader::load_any(std::string_view kind, const std::string& name, const 
 std::optional<Value> DataLoader::document(std::string_view kind, const std::string& name,
                                           const Location& where, std::vector<std::string>& chain) {
   const Value* group = inline_ ? inline_->find(kind) : nullptr;
-  if (const auto first = std::find(chain.begin(), chain.end(), name); first != chain.end()) {
+  if (const auto first = std::ranges::find(chain, name); first != chain.end()) {
     const std::vector<std::string> taken = source_.data_names(kind);
     if (std::any_of(first, chain.end(), [&](const std::string& link) {
-          return group && group->find(link) && std::binary_search(taken.begin(), taken.end(), link);
+          return group && group->find(link) && std::ranges::binary_search(taken, link);
         }))
       return std::nullopt;  // said by check_inline()
     std::string loop;
@@ -123,15 +121,12 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
       loop += *link + " -> ";
       failed_[{std::string(kind), *link}] = true;  // one circle, one mistake
     }
-    diagnostics_.error(where, fmt::format("{} {} is based on itself: {}{}", singular(kind),
-                                          quote(name), loop, name));
-    return std::nullopt;
+    return diagnostics_.error(where, "{} {} is based on itself: {}{}", singular(kind), quote(name),
+                              loop, name);
   }
-  if (chain.size() > kMostBases) {
-    diagnostics_.error(where, fmt::format("{} {} has more than {} bases below one another",
-                                          singular(kind), quote(chain.front()), kMostBases));
-    return std::nullopt;
-  }
+  if (chain.size() > kMostBases)
+    return diagnostics_.error(where, "{} {} has more than {} bases below one another",
+                              singular(kind), quote(chain.front()), kMostBases);
   chain.push_back(name);
 
   std::optional<Value> found;
@@ -152,16 +147,13 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
     if (group)
       for (const Value::Entry& e : group->entries)
         names.push_back(e.key);
-    diagnostics_.error(where, fmt::format("unknown {} {}{}", singular(kind), quote(name),
-                                          nearest_or_all(name, names)));
-    return std::nullopt;
+    return diagnostics_.error(where, "unknown {} {}{}", singular(kind), quote(name),
+                              nearest_or_all(name, names));
   }
   const Value* base = found->find("base");
   if (base) {
-    if (!base->is_scalar()) {
-      diagnostics_.error(base->where, "base: expected a name, got " + base->shown());
-      return std::nullopt;
-    }
+    if (!base->is_scalar())
+      return diagnostics_.error(base->where, "base: expected a name, got " + base->shown());
     auto below = document(kind, base->text, base->where, chain);
     if (!below)
       return std::nullopt;

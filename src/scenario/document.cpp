@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/source.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -26,7 +24,7 @@ constexpr std::array<std::string_view, 3> kMergeable{"trees", "data", "plugins"}
 constexpr std::size_t kLongestChain = 50, kMostFiles = 1000, kMostValues = 500'000;
 
 bool is_mergeable(std::string_view key) {
-  return std::find(kMergeable.begin(), kMergeable.end(), key) != kMergeable.end();
+  return std::ranges::find(kMergeable, key) != kMergeable.end();
 }
 
 std::size_t values_in(const Value& v) {
@@ -91,9 +89,8 @@ class Merger {
 
   void add_entry(Value::Entry e) {
     if (!is_mergeable(e.key)) {
-      diagnostics_.error(e.where,
-                         fmt::format("an included file holds trees, data and plugins, not {}{}",
-                                     quote(e.key), did_you_mean(e.key, kMergeable)));
+      diagnostics_.error(e.where, "an included file holds trees, data and plugins, not {}{}",
+                         quote(e.key), did_you_mean(e.key, kMergeable));
       return;
     }
     Value* there = document_.find(e.key);
@@ -101,8 +98,7 @@ class Merger {
       return there ? add_plugins(*there, std::move(e.value))
                    : document_.entries.push_back(std::move(e));
     if (!e.value.is_map()) {
-      diagnostics_.error(e.value.where,
-                         fmt::format("{}: expected a map, got {}", e.key, e.value.shown()));
+      diagnostics_.error(e.value.where, "{}: expected a map, got {}", e.key, e.value.shown());
       return;
     }
     if (!there)
@@ -137,12 +133,12 @@ class Merger {
     const std::string path = section + "." + mine.key;
     if (mine.where.file == own_)
       diagnostics_.error(mine.where,
-                         fmt::format("{} is defined already, at {}; change that one by its path, "
-                                     "as in 'replace: {{{}: ...}}', or with 'insert' and 'remove'",
-                                     quote(path), other.where.text(), path));
+                         "{} is defined already, at {}; change that one by its path, as in "
+                         "'replace: {{{}: ...}}', or with 'insert' and 'remove'",
+                         quote(path), other.where.text(), path);
     else
-      diagnostics_.error(added.where, fmt::format("{} is defined twice (also at {})", quote(path),
-                                                  there.where.text()));
+      diagnostics_.error(added.where, "{} is defined twice (also at {})", quote(path),
+                         there.where.text());
   }
   Index& index_of(const Value& map, const std::string& section) {
     const auto [found, fresh] = indices_.try_emplace(section);
@@ -181,6 +177,9 @@ class Composer {
   }
 
  private:
+  /// No document, and it has been reported why.
+  static Value none(std::nullopt_t) { return {}; }
+
   /// The document of a scenario as if one file said it all.
   Value whole(Value own, const std::string& file) {
     chain_.push_back(normal(file));
@@ -207,42 +206,37 @@ class Composer {
 
   /// The scenario that another extends; null after saying why there is none.
   Value base(const Value& name, const std::string& file) {
-    if (!name.is_scalar() || name.text.empty()) {
-      diagnostics_.error(name.where, "extends: expected a scenario, got " + name.shown());
-      return {};
-    }
+    if (!name.is_scalar() || name.text.empty())
+      return none(
+          diagnostics_.error(name.where, "extends: expected a scenario, got " + name.shown()));
     const bool is_shipped = name.text.find_first_of("./") == name.text.npos;
     const std::string base_file = is_shipped ? source_.shipped(name.text)
                                              : source_.named_by(file, relative_to(file, name.text));
-    if (base_file.empty()) {
-      diagnostics_.error(name.where,
-                         fmt::format("there is no scenario {} (a file is named with its ending, "
-                                     "as in '{}.yaml'){}",
-                                     quote(name.text), printable(name.text, 40),
-                                     did_you_mean(name.text, source_.shipped_names())));
-      return {};
-    }
+    if (base_file.empty())
+      return none(diagnostics_.error(
+          name.where,
+          "there is no scenario {} (a file is named with its ending, as in '{}.yaml'){}",
+          quote(name.text), printable(name.text, 40),
+          did_you_mean(name.text, source_.shipped_names())));
     if (refuse_cycle(normal(base_file), "extends", name.where) || !fits(base_file, name.where))
       return {};
     Value own = read(base_file, name.where);
     if (own.is_null())
       return {};
-    if (is_package(own)) {
-      diagnostics_.error(name.where, fmt::format("{} is no scenario but a package: 'include' it",
-                                                 quote_path(base_file)));
-      return {};
-    }
+    if (is_package(own))
+      return none(diagnostics_.error(name.where, "{} is no scenario but a package: 'include' it",
+                                     quote_path(base_file)));
     return whole(std::move(own), base_file);
   }
 
   bool refuse_cycle(const std::string& same, std::string_view does, const Location& where) {
-    const auto open = std::find(chain_.begin(), chain_.end(), same);
+    const auto open = std::ranges::find(chain_, same);
     if (open == chain_.end())
       return false;
     std::string chain;
     for (auto f = open; f != chain_.end(); ++f)
       chain += *f + " -> ";
-    diagnostics_.error(where, fmt::format("'{}' {} itself: {}{}", same, does, chain, same));
+    diagnostics_.error(where, "'{}' {} itself: {}{}", same, does, chain, same);
     return true;
   }
 
@@ -255,10 +249,9 @@ class Composer {
   /// The document in a file; null after saying why there is none.
   Value read(const std::string& file, const Location& from) {
     const auto text = source_.read(file);
-    if (!text) {
-      diagnostics_.error(from, source_.why_unread(file, std::string(from.file.text())));
-      return {};
-    }
+    if (!text)
+      return none(
+          diagnostics_.error(from, source_.why_unread(file, std::string(from.file.text()))));
     const std::size_t before = diagnostics_.count();
     Value document = parse_yaml(*text, file, diagnostics_);
     if (document.is_null() && diagnostics_.count() != before)
@@ -266,19 +259,15 @@ class Composer {
     values_ += values_in(document);
     if (values_ > kMostValues) {
       stopped_ = true;
-      diagnostics_.error(from, fmt::format("with {} the scenario has more than {} values",
-                                           quote_path(file), kMostValues));
-      return {};
+      return none(diagnostics_.error(from, "with {} the scenario has more than {} values",
+                                     quote_path(file), kMostValues));
     }
-    if (const auto newer = newer_format(document)) {
-      diagnostics_.error(newer->where, newer->message);
-      return {};
-    }
+    if (const auto newer = newer_format(document))
+      return none(diagnostics_.error(newer->where, newer->message));
     if (document.is_map())
       return document;
-    diagnostics_.error(document.is_null() ? Location{file, 1, 1} : document.where,
-                       "expected a map, got " + document.shown());
-    return {};
+    return none(diagnostics_.error(document.is_null() ? Location{file, 1, 1} : document.where,
+                                   "expected a map, got " + document.shown()));
   }
 
   void follow(const Value& include, const std::string& file, Merger& merger) {
@@ -342,7 +331,7 @@ class Composer {
 }  // namespace
 
 bool is_package(const Value& document) {
-  return std::all_of(document.entries.begin(), document.entries.end(), [](const Value::Entry& e) {
+  return std::ranges::all_of(document.entries, [](const Value::Entry& e) {
     return e.key == "include" || is_mergeable(e.key);
   });
 }
@@ -352,10 +341,9 @@ std::optional<Diagnostic> newer_format(const Value& document) {
   const auto format = said ? number_from<std::int64_t>(said->text) : std::nullopt;
   if (!format || *format <= kFileFormat)
     return std::nullopt;
-  return Diagnostic{said->where,
-                    fmt::format("eyrie: this file is of format {}, which needs a newer "
-                                "program; this one, {}, reads format {}",
-                                *format, kVersion, kFileFormat)};
+  return Diagnostic{said->where, fmt::format("eyrie: this file is of format {}, which needs a "
+                                             "newer program; this one, {}, reads format {}",
+                                             *format, kVersion, kFileFormat)};
 }
 
 std::string what_else(const Value& document, const std::string& file) {

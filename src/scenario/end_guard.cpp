@@ -103,7 +103,7 @@ std::string plugin_at(const void* address) {
   if (!address || ::dladdr(address, &info) == 0 || !info.dli_fname)
     return {};
   const auto& known = known_plugins();
-  const auto found = std::find(known.begin(), known.end(), info.dli_fname);
+  const auto found = std::ranges::find(known, info.dli_fname);
   return found == known.end() ? std::string() : *found;
 }
 

@@ -12,10 +12,10 @@
 #include "scenario/data.hpp"
 #include "scenario/end_guard.hpp"
 #include "scenario/mission.hpp"
-#include "scenario/ours.hpp"
 #include "scenario/plan.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/plugins.hpp"
+#include "scenario/roster.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/source.hpp"
 #include "scenario/trees.hpp"
@@ -42,7 +42,7 @@ class Loader {
     document_ = load_document(out_->file, source_, diagnostics_, &removed_);
     stop_if_wrong();
     if (const std::string other = what_else(document_, out_->file); !other.empty())
-      error({out_->file, 1, 1}, other);
+      diagnostics_.error({out_->file, 1, 1}, other);
     stop_if_wrong();
     apply_overrides(document_, out_->sets, diagnostics_);
     if (const Value* v = document_.find("plugins"))
@@ -79,7 +79,7 @@ class Loader {
     out_->formations.resize(library_->flights.size());
     out_->convoys.resize(library_->flights.size());
     if (const auto problem = until_problem(out_->spec, out_->spec.until))
-      error(document_.where_of("until"), "until: " + *problem);
+      diagnostics_.error(document_.where_of("until"), "until: " + *problem);
     if (const Value* v = document_.find("ours"))
       share_out(out_->spec.ours, *v, out_->roster, diagnostics_);
     orders();
@@ -93,15 +93,12 @@ class Loader {
     if (!diagnostics_.ok())
       throw ConfigError(removed_.empty() ? diagnostics_ : blame_removals(diagnostics_, removed_));
   }
-  void error(const Location& where, std::string message) {
-    diagnostics_.error(where, std::move(message));
-  }
 
   void environment(const Value& v) {
     model::EnvironmentSpec spec;
     bind(spec, v, diagnostics_);
     if (const auto problem = model::Wind::problem(spec.wind))
-      error(v.where_of("wind"), *problem);
+      diagnostics_.error(v.where_of("wind"), *problem);
     else
       library_->environment = model::Environment(spec);
   }
@@ -113,16 +110,16 @@ class Loader {
     for (const ConvoyPlan& convoy : plans_.convoys)
       for (const VehiclePlan& player : convoy.players) {
         if (player.spec.vehicle.empty())
-          error(player.where,
-                fmt::format("{}: which vehicle? Neither it nor its convoy says", player.name));
+          diagnostics_.error(player.where, "{}: which vehicle? Neither it nor its convoy says",
+                             player.name);
         else
           data.vehicle(player.spec.vehicle, player.place("vehicle"));
       }
     for (const FlightPlan& flight : plans_.flights)
       for (const PlayerPlan& player : flight.players) {
         if (player.spec.aircraft.empty()) {
-          error(player.where,
-                fmt::format("{}: which aircraft? Neither it nor its flight says", player.name));
+          diagnostics_.error(player.where, "{}: which aircraft? Neither it nor its flight says",
+                             player.name);
           continue;
         }
         data.aircraft(player.spec.aircraft, player.place("aircraft"));
@@ -198,7 +195,7 @@ class Loader {
       return begin;
     const VehicleStartSpec& s = player.spec.start;
     if (!s.heading) {
-      error(plan.start_where, fmt::format("{}: start needs a heading", player.name));
+      diagnostics_.error(plan.start_where, "{}: start needs a heading", player.name);
       return begin;
     }
     begin.heading = *s.heading;
@@ -232,7 +229,8 @@ class Loader {
     const StartSpec& s = player.spec.start;
     if (!s.altitude || !s.heading || !s.speed) {
       if (player.own_place || player.rank == 1)  // the others have what the lead has
-        error(plan.start_where, player.name + ": start needs altitude, heading and speed");
+        diagnostics_.error(plan.start_where,
+                           player.name + ": start needs altitude, heading and speed");
       return;
     }
     const Vec3 lead = resolve(s, *s.altitude, library_->reference, plan.start_where, diagnostics_);
@@ -270,22 +268,23 @@ class Loader {
     begin.type = index;
     begin.fuel = player.spec.fuel.value_or(tanks);
     if (begin.fuel > tanks)
-      error(player.place("fuel"), fmt::format("fuel {:.0f} kg is more than a {} holds ({:.0f} kg)",
-                                              begin.fuel, player.spec.aircraft, tanks));
+      diagnostics_.error(player.place("fuel"), "fuel {:.0f} kg is more than a {} holds ({:.0f} kg)",
+                         begin.fuel, player.spec.aircraft, tanks);
     begin.bingo = player.spec.bingo.value_or(0.25 * tanks);
     if (player.spec.bingo && begin.bingo >= begin.fuel)
-      error(player.place("bingo"),
-            fmt::format("bingo {:.0f} kg is not less than the fuel at the start ({:.0f} kg)",
-                        begin.bingo, begin.fuel));
+      diagnostics_.error(player.place("bingo"),
+                         "bingo {:.0f} kg is not less than the fuel at the start ({:.0f} kg)",
+                         begin.bingo, begin.fuel);
     const int drum =
         type.index.gun ? type.rounds.value_or(library_->guns[*type.index.gun].rounds) : 0;
     begin.rounds = player.spec.rounds ? player.spec.rounds : type.rounds;
     if (begin.rounds && *begin.rounds > drum)
-      error(player.place("rounds"),
-            type.index.gun ? fmt::format("{} rounds are more than the gun of a {} holds ({})",
-                                         *begin.rounds, player.spec.aircraft, drum)
-                           : fmt::format("a {} has no gun for {} rounds", player.spec.aircraft,
-                                         *begin.rounds));
+      diagnostics_.error(
+          player.place("rounds"),
+          type.index.gun
+              ? fmt::format("{} rounds are more than the gun of a {} holds ({})", *begin.rounds,
+                            player.spec.aircraft, drum)
+              : fmt::format("a {} has no gun for {} rounds", player.spec.aircraft, *begin.rounds));
     std::size_t station = 0;
     const auto hang = [&](const std::string& store, std::uint8_t count) {
       if (station >= model::kMaxStations)
@@ -293,8 +292,8 @@ class Loader {
       constexpr std::size_t kMostMissiles = 254;  // 0 is an empty station, 255 any missile
       const auto missile = library_->missiles.find(store);
       if (missile && *missile >= kMostMissiles)
-        error(player.place("loadout"),
-              fmt::format("there are more than {} kinds of missiles", kMostMissiles));
+        diagnostics_.error(player.place("loadout"), "there are more than {} kinds of missiles",
+                           kMostMissiles);
       else if (missile)
         begin.stations[station] = {static_cast<std::uint8_t>(*missile + 1), count};
       ++station;
@@ -306,9 +305,8 @@ class Loader {
     }
     const std::size_t stations = type.stations.empty() ? model::kMaxStations : type.stations.size();
     if (player.spec.loadout->size() > stations)
-      error(player.place("loadout"),
-            fmt::format("{} stores on a {} with {} stations", player.spec.loadout->size(),
-                        player.spec.aircraft, stations));
+      diagnostics_.error(player.place("loadout"), "{} stores on a {} with {} stations",
+                         player.spec.loadout->size(), player.spec.aircraft, stations);
     for (const std::string& store : *player.spec.loadout)
       hang(store, store == "none" ? 0 : 1);
   }
@@ -319,17 +317,17 @@ class Loader {
       const auto index = static_cast<std::size_t>(&order - out_->spec.orders.data());
       const Value& item = list->items[index];
       if (step_at(order.at) >= step_at(out_->spec.until))
-        error(item.where_of("at"),
-              fmt::format("an order at {} is never given: the flight ends at {} (until)",
-                          exact_quantity(order.at, Dimension::time),
-                          exact_quantity(out_->spec.until, Dimension::time)));
+        diagnostics_.error(item.where_of("at"),
+                           "an order at {} is never given: the flight ends at {} (until)",
+                           exact_quantity(order.at, Dimension::time),
+                           exact_quantity(out_->spec.until, Dimension::time));
       const auto who = out_->roster.find(order.player);
       if (!who)
-        error(item.where_of("player"), out_->roster.unknown(order.player));
+        diagnostics_.error(item.where_of("player"), out_->roster.unknown(order.player));
       const Location where = item.where_of("swap_tree");
       if (order.lose == order.swap_tree.has_value())
-        error(item.where, fmt::format("what is ordered of {}? Either 'swap_tree' or 'lose: true'",
-                                      quote(order.player)));
+        diagnostics_.error(item.where, "what is ordered of {}? Either 'swap_tree' or 'lose: true'",
+                           quote(order.player));
       else if (who)
         give(order, *who, where);
       else if (order.swap_tree && !out_->driver_trees->find(*order.swap_tree))
@@ -363,12 +361,12 @@ class Loader {
     out_->library = library_;
     for (const auto& [kind, model, parameter, problem] :
          model::problems_of(*library_, 1 / out_->spec.rates.kinematics))
-      error(place_in_data(document_, kind, model, parameter),
-            fmt::format("data.{}.{}.{}: {}", kind, model, parameter, problem));
+      diagnostics_.error(place_in_data(document_, kind, model, parameter), "data.{}.{}.{}: {}",
+                         kind, model, parameter, problem);
     stop_if_wrong();
     const std::string problem = assemble(*out_, starts_, vehicle_starts_, kinds_);
     if (!problem.empty()) {
-      error(document_.where_of("rates"), problem);
+      diagnostics_.error(document_.where_of("rates"), problem);
       stop_if_wrong();
     }
     out_->files = source_.files();

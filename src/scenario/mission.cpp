@@ -57,7 +57,7 @@ Judge::Judge(const Scenario& scenario, double until)
       standings_(scenario.library->flights.size()) {}
 
 bool Judge::comes_home(std::span<const sim::Event> events) const {
-  return std::any_of(events.begin(), events.end(), [&](const sim::Event& e) {
+  return std::ranges::any_of(events, [&](const sim::Event& e) {
     if (e.kind != sim::EventKind(model::EventKind::home))
       return false;
     const Roster::Player* who = scenario_->roster.find(e.who);
@@ -77,7 +77,7 @@ std::optional<Census> Judge::census(const sim::World& world) const {
 }
 
 Outcome Judge::operator()(const sim::World& world, bool any_home) {
-  std::fill(standings_.begin(), standings_.end(), Standing{});
+  std::ranges::fill(standings_, Standing{});
   for (const auto& fleet : scenario_->fleets)
     fleet->count(world, *scenario_->library, standings_);
   std::uint32_t blue = 0, red = 0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/operator_orders.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -121,16 +119,13 @@ class OrderReader {
 
  private:
   void check(const Value& text) {
-    std::vector<std::string> names;
-    for (const KindOfOrder& kind : kKinds)
-      names.emplace_back(kind.name);
-    const auto kind = std::find(names.begin(), names.end(), asked_.order) - names.begin();
-    if (static_cast<std::size_t>(kind) == names.size())
+    const auto kind = std::ranges::find(kKinds, asked_.order, &KindOfOrder::name);
+    if (kind == std::end(kKinds))
       return refuse("there is no order {}{}", quote(asked_.order),
-                    did_you_mean(asked_.order, names));
-    const auto& [name, needs, may] = kKinds[static_cast<std::size_t>(kind)];
+                    did_you_mean(asked_.order, listed(kKinds, &KindOfOrder::name)));
+    const auto& [name, needs, may] = *kind;
     const auto has = [](auto list, std::string_view word) {
-      return std::find(list.begin(), list.end(), word) != list.end();
+      return std::ranges::find(list, word) != list.end();
     };
     for (const std::string_view word : needs)
       if (const Value* given = text.find(word); !given || given->is_null())
@@ -151,13 +146,12 @@ class OrderReader {
     return {};
   }
   std::vector<PlayerId> flight() {
-    std::vector<std::string> names;
-    for (const Roster::Flight& one : scenario_.roster.flights) {
+    const auto& flights = scenario_.roster.flights;
+    for (const Roster::Flight& one : flights)
       if (one.name == *asked_.flight)
         return one.members;
-      names.push_back(one.name);
-    }
-    refuse("there is no flight {}{}", quote(*asked_.flight), did_you_mean(*asked_.flight, names));
+    refuse("there is no flight {}{}", quote(*asked_.flight),
+           did_you_mean(*asked_.flight, listed(flights, &Roster::Flight::name)));
     return {};
   }
 
@@ -206,14 +200,11 @@ class OrderReader {
   }
 
   std::optional<std::uint16_t> tree_of(PlayerId who, const Fleet& fleet) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < fleet.trees.size(); ++i) {
-      if (fleet.trees[i]->name() == *asked_.tree)
-        return static_cast<std::uint16_t>(i);
-      names.emplace_back(fleet.trees[i]->name());
-    }
+    const auto tree = std::ranges::find(fleet.trees, *asked_.tree, &ubf::AnyTree::name);
+    if (tree != fleet.trees.end())
+      return static_cast<std::uint16_t>(tree - fleet.trees.begin());
     refuse("{} has no tree {}{}", scenario_.roster.name(who), quote(*asked_.tree),
-           did_you_mean(*asked_.tree, names));
+           did_you_mean(*asked_.tree, listed(fleet.trees, &ubf::AnyTree::name)));
     return std::nullopt;
   }
 

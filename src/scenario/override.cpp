@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -46,23 +45,19 @@ class Override {
     Diagnostics found;
     Value value = first == after.npos ? Value::null() : parse_yaml(after, "--set", found);
     if (!found.ok())
-      return error(equals + 1, found.sorted().front().message);
+      return error(equals + 1, "{}", found.sorted().front().message);
     place_in_override(value, text_, equals + 1);
     const auto keys =
         path_keys(std::string_view(text_).substr(0, equals), {named(text_), 1, 1}, diagnostics_);
     if (!keys)
       return;
     if (is_done_before_sets(keys->front().text))
-      return error(0,
-                   fmt::format("'{}' is carried out before anything is set", keys->front().text));
+      return error(0, "'{}' is carried out before anything is set", keys->front().text);
     const std::string& first_key = keys->front().text;
-    std::vector<std::string> names;
-    for (const Value::Entry& e : document.entries)
-      names.push_back(e.key);
-    if (keys->size() > 1 && did_you_mean(first_key, names).empty())
-      return error(0, fmt::format("there is no {0} here; what is new is set whole, as in "
-                                  "{1}={{{2}: ...}}",
-                                  quote(first_key), first_key, (*keys)[1].text));
+    if (keys->size() > 1 &&
+        did_you_mean(first_key, listed(document.entries, &Value::Entry::key)).empty())
+      return error(0, "there is no {0} here; what is new is set whole, as in {1}={{{2}: ...}}",
+                   quote(first_key), first_key, (*keys)[1].text);
     Value* at = &document;
     for (std::size_t i = 0; at && i + 1 < keys->size(); ++i)
       at = step(*at, (*keys)[i], diagnostics_);
@@ -70,9 +65,9 @@ class Override {
       return;
     const PathKey& last = keys->back();
     const Value* list = list_for(*at, last.text);
-    const bool names_child =
-        list && std::any_of(list->items.begin(), list->items.end(),
-                            [&](const Value& item) { return item_name(item) == last.text; });
+    const bool names_child = list && std::ranges::any_of(list->items, [&](const Value& item) {
+                               return item_name(item) == last.text;
+                             });
     if (at->is_map() && !at->find(last.text) && !names_child)
       at->entries.push_back({last.text, last.where, std::move(value)});
     else if (Value* there = step(*at, last, diagnostics_))
@@ -80,8 +75,10 @@ class Override {
   }
 
  private:
-  void error(std::size_t offset, const std::string& message) {
-    diagnostics_.error({named(text_), 1, static_cast<int>(offset) + 1}, message);
+  template <class... T>
+  void error(std::size_t offset, fmt::format_string<T...> words, T&&... values) {
+    diagnostics_.error({named(text_), 1, static_cast<int>(offset) + 1}, "{}",
+                       fmt::format(words, std::forward<T>(values)...));
   }
 
   const std::string& text_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/path.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/text.hpp"
@@ -11,9 +9,7 @@ namespace eyrie::scenario {
 namespace {
 
 std::vector<std::string> names_in(const Value& v) {
-  std::vector<std::string> names;
-  for (const Value::Entry& e : v.entries)
-    names.push_back(e.key);
+  std::vector<std::string> names = listed(v.entries, &Value::Entry::key);
   for (const Value& item : v.items)
     if (!item_name(item).empty())
       names.emplace_back(item_name(item));
@@ -57,10 +53,8 @@ std::optional<std::vector<PathKey>> path_keys(std::string_view path, Location wh
     if (close != path.npos && close == begin + key.size() - 1)
       key = key.substr(1, key.size() - 2);
     keys.push_back({std::string(key), place});
-    if (key.empty()) {
-      diagnostics.error(place, "an empty name in the path");
-      return std::nullopt;
-    }
+    if (key.empty())
+      return diagnostics.error(place, "an empty name in the path");
   }
   return keys;
 }
@@ -95,7 +89,7 @@ void paths_below(const Value& at, const std::string& path,
     // one that --set can type
     const bool is_named = !name.empty() && name.find_first_of(" \"") == name.npos &&
                           !number_from<std::size_t>(name) &&
-                          std::count_if(at.items.begin(), at.items.end(), [&](const Value& other) {
+                          std::ranges::count_if(at.items, [&](const Value& other) {
                             return item_name(other) == name;
                           }) == 1;
     const std::string below =
@@ -119,28 +113,23 @@ Value* list_for(Value& at, std::string_view key) {
 
 std::optional<std::size_t> item_index(const Value& list, const PathKey& key,
                                       Diagnostics& diagnostics) {
-  const auto error = [&](const std::string& message) {
-    diagnostics.error(key.where, message);
-    return std::nullopt;
-  };
   if (const auto index = number_from<std::size_t>(key.text)) {
     if (*index < list.items.size())
       return index;
-    return error(fmt::format("there is no item {} here: the list has {}, counted from 0", key.text,
-                             list.items.size()));
+    return diagnostics.error(key.where, "there is no item {} here: the list has {}, counted from 0",
+                             key.text, list.items.size());
   }
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < list.items.size(); ++i) {
     if (item_name(list.items[i]) != key.text)
       continue;
     if (found)
-      return error(
-          fmt::format("{} is in this list more than once; say which by its index, "
-                      "counted from 0",
-                      quote(key.text)));
+      return diagnostics.error(
+          key.where, "{} is in this list more than once; say which by its index, counted from 0",
+          quote(key.text));
     found = i;
   }
-  return found ? found : error(not_here(list, key.text));
+  return found ? found : diagnostics.error(key.where, not_here(list, key.text));
 }
 
 Value* step(Value& at, const PathKey& key, Diagnostics& diagnostics,

@@ -18,8 +18,7 @@ constexpr std::size_t kMostGroups = 5000;
 /// Flights and convoys have one name in the file, in tables and in formats of other programs.
 bool is_group_name(std::string_view name) {
   return !name.empty() && name.size() <= kLongestGroup && is_small(name.front()) &&
-         std::all_of(name.begin(), name.end(),
-                     [](char c) { return is_small(c) || is_digit(c) || c == '_'; });
+         std::ranges::all_of(name, [](char c) { return is_small(c) || is_digit(c) || c == '_'; });
 }
 
 /// The number behind the flight's name, or nothing.
@@ -50,17 +49,16 @@ class Reader {
     if (!map)
       return;
     if (!map->is_map())
-      return error(map->where,
-                   fmt::format("{}: expected a map with flights, got {}", key, map->shown()));
+      return error(map->where, "{}: expected a map with flights, got {}", key, map->shown());
     std::vector<std::string_view> keys{"home", "flights", "convoys"};
     keys.insert(keys.end(), others_.begin(), others_.end());
     bool has_groups = false, all_known = true;
     for (const Value::Entry& e : map->entries) {
-      const bool known = std::find(keys.begin(), keys.end(), e.key) != keys.end();
+      const bool known = std::ranges::find(keys, e.key) != keys.end();
       has_groups |= known && e.key != "home";
       all_known &= known;
       if (!known)
-        error(e.where, fmt::format("{} has no {}{}", key, quote(e.key), did_you_mean(e.key, keys)));
+        error(e.where, "{} has no {}{}", key, quote(e.key), did_you_mean(e.key, keys));
     }
 
     std::optional<PlaceSpec> home;
@@ -74,7 +72,7 @@ class Reader {
     const Value* flights = map->find("flights");
     const Value* convoys = map->find("convoys");
     if (!has_groups && all_known)  // an unknown key was meant as one
-      return error(map->where, fmt::format("{}: expected a map of flights, got nothing", key));
+      return error(map->where, "{}: expected a map of flights, got nothing", key);
     for (const Value::Entry& e : groups(flights, key, "flights")) {
       FlightPlan plan;
       plan.home = home;
@@ -96,8 +94,8 @@ class Reader {
       return {};
     if (map->is_map() && !map->entries.empty())
       return map->entries;
-    error(map->where, fmt::format("{}: expected a map of {}, got {}", side, what,
-                                  map->is_map() ? "an empty map" : map->shown()));
+    error(map->where, "{}: expected a map of {}, got {}", side, what,
+          map->is_map() ? "an empty map" : map->shown());
     return {};
   }
 
@@ -109,10 +107,9 @@ class Reader {
     for (Value& item : value.items)
       item = on_the_ground(std::move(item), convoy);
     std::erase_if(value.entries, [&](const Value::Entry& e) {
-      const bool in_the_air =
-          std::find(kInTheAir.begin(), kInTheAir.end(), e.key) != kInTheAir.end();
+      const bool in_the_air = std::ranges::find(kInTheAir, e.key) != kInTheAir.end();
       if (in_the_air)
-        error(e.where, fmt::format("{} drives on the ground: '{}' is for aircraft", convoy, e.key));
+        error(e.where, "{} drives on the ground: '{}' is for aircraft", convoy, e.key);
       return in_the_air;
     });
     for (Value::Entry& e : value.entries)
@@ -124,22 +121,21 @@ class Reader {
   void group(Plan plan, std::vector<Plan>& plans, const Value::Entry& entry, model::Side side) {
     if (!is_group_name(entry.key) || is_digit(entry.key.back()))
       return error(entry.where,
-                   fmt::format("{} cannot name a {}: lower-case letters, digits and '_', with a "
-                               "letter first and no digit last, at most {} in all",
-                               quote(entry.key), Plan::word, kLongestGroup));
+                   "{} cannot name a {}: lower-case letters, digits and '_', with a "
+                   "letter first and no digit last, at most {} in all",
+                   quote(entry.key), Plan::word, kLongestGroup);
     const auto [known, fresh] = groups_.emplace(entry.key, entry.where);
     if (!fresh)
-      return error(entry.where, fmt::format("{} '{}' is defined twice (also at {})", Plan::word,
-                                            entry.key, known->second.text()));
+      return error(entry.where, "{} '{}' is defined twice (also at {})", Plan::word, entry.key,
+                   known->second.text());
     if (groups_.size() > kMostGroups) {
       if (groups_.size() == kMostGroups + 1)
-        error(entry.where,
-              fmt::format("a scenario has at most {} flights and convoys", kMostGroups));
+        error(entry.where, "a scenario has at most {} flights and convoys", kMostGroups);
       return;
     }
     if (!entry.value.is_map())
-      return error(entry.value.where, fmt::format("{} '{}': expected a map, got {}", Plan::word,
-                                                  entry.key, entry.value.shown()));
+      return error(entry.value.where, "{} '{}': expected a map, got {}", Plan::word, entry.key,
+                   entry.value.shown());
     plan.name = entry.key;
     plan.side = side;
     plan.where = entry.where;
@@ -160,8 +156,7 @@ class Reader {
         player(plan, entry.value, item);
     else
       error(players ? players->where : entry.where,
-            fmt::format("{0} '{1}' needs its players: a list such as [{1}1, {1}2]", Plan::word,
-                        plan.name));
+            "{0} '{1}' needs its players: a list such as [{1}1, {1}2]", Plan::word, plan.name);
     if (plan.players.empty()) {  // so that what is said for all of them is read
       plan.players.push_back({.name = plan.name + "1",
                               .where = entry.where,
@@ -170,12 +165,11 @@ class Reader {
                               .group = &entry.value});
       return plans.push_back(std::move(plan));
     }
-    std::sort(plan.players.begin(), plan.players.end(),
-              [](const auto& a, const auto& b) { return a.rank < b.rank; });
+    std::ranges::sort(plan.players, {}, &Plan::Member::rank);
     // a player that was refused may have been meant as the lead
     if (plan.players.size() == players->items.size() && plan.players.front().rank != 1)
-      error(players->where, fmt::format("{0} '{1}' has no lead: none of its players is '{1}1'",
-                                        Plan::word, plan.name));
+      error(players->where, "{0} '{1}' has no lead: none of its players is '{1}1'", Plan::word,
+            plan.name);
     plans.push_back(std::move(plan));
   }
 
@@ -183,8 +177,8 @@ class Reader {
   void player(Plan& group, const Value& document, const Value& item) {
     const bool overrides = item.is_map() && item.entries.size() == 1;
     if (!item.is_scalar() && !overrides)
-      return error(item.where,
-                   "players: expected a name or a name with a map, got " + item.shown());
+      return error(item.where, "players: expected a name or a name with a map, got {}",
+                   item.shown());
     typename Plan::Member plan{.name = overrides ? item.entries[0].key : item.text,
                                .where = item.where,
                                .spec = group.spec,
@@ -192,16 +186,16 @@ class Reader {
                                .group = &document};
     const auto rank = rank_of(plan.name, group.name);
     if (!rank)
-      return error(item.where, fmt::format("{} is not the {}'s name and a rank, such as '{}1'",
-                                           quote(plan.name), Plan::word, group.name));
+      return error(item.where, "{} is not the {}'s name and a rank, such as '{}1'",
+                   quote(plan.name), Plan::word, group.name);
     plan.rank = *rank;
     if (plan.rank > model::kMaxFlight)
-      return error(item.where, fmt::format("'{}': the ranks of a {} are 1 to {}", plan.name,
-                                           Plan::word, model::kMaxFlight));
+      return error(item.where, "'{}': the ranks of a {} are 1 to {}", plan.name, Plan::word,
+                   model::kMaxFlight);
     const auto [known, fresh] = places_.emplace(plan.name, item.where);
     if (!fresh)
-      return error(item.where, fmt::format("there are two players '{}' (also at {})", plan.name,
-                                           known->second.text()));
+      return error(item.where, "there are two players '{}' (also at {})", plan.name,
+                   known->second.text());
     if (overrides && !item.entries[0].value.is_null()) {
       const Value& map = item.entries[0].value;
       plan.own = &map;
@@ -215,8 +209,9 @@ class Reader {
     group.players.push_back(std::move(plan));
   }
 
-  void error(const Location& where, std::string message) {
-    diagnostics_.error(where, std::move(message));
+  template <class... T>
+  void error(const Location& where, fmt::format_string<T...> words, T&&... values) {
+    diagnostics_.error(where, "{}", fmt::format(words, std::forward<T>(values)...));
   }
 
   const Value& document_;

@@ -30,12 +30,12 @@ std::vector<std::string> model_problems(const Registrar& added, const Source& so
     const auto [names, first] = there.try_emplace(model.kind);
     if (first)
       names->second = source.data_names(model.kind);
-    if (std::find(kinds.begin(), kinds.end(), model.kind) == kinds.end())
+    if (std::ranges::find(kinds, model.kind) == kinds.end())
       problems.push_back(fmt::format("there is no kind of model {}{}", quote(model.kind),
                                      did_you_mean(model.kind, kinds)));
     else if (!is_identifier(model.name))
       problems.push_back(fmt::format("{} is no name for a model", quote(model.name)));
-    else if (std::binary_search(names->second.begin(), names->second.end(), model.name))
+    else if (std::ranges::binary_search(names->second, model.name))
       problems.push_back(fmt::format("there is already a model {} ({})", quote(model.name),
                                      source.data_name(model.kind, model.name)));
     else if (!before.emplace(model.kind, model.name).second)

@@ -92,17 +92,17 @@ void load_plugins(const Value& key, const PluginPermission& permission, Plugins&
                   Source& source, Diagnostics& diagnostics) {
   const auto load = [&](const Value& item) {
     if (!item.is_scalar())
-      return diagnostics.error(item.where, "plugins: expected a file, got " + item.shown());
+      return void(diagnostics.error(item.where, "plugins: expected a file, got {}", item.shown()));
     if (source.is_bundle())
       return;
     // what --set names is meant as it was typed
     const bool typed = item.where.file.text().starts_with("--set ");
     const std::string path = typed ? item.text : relative_to(item.where.file.text(), item.text);
     for (const std::string& problem : plugins.load(path, source, &permission))
-      diagnostics.error(item.where, fmt::format("plug-in {}: {}", quote(item.text), problem));
+      diagnostics.error(item.where, "plug-in {}: {}", quote(item.text), problem);
   };
   if (key.is_list())
-    std::for_each(key.items.begin(), key.items.end(), load);
+    std::ranges::for_each(key.items, load);
   else if (key.is_scalar())
     load(key);
   else
@@ -126,9 +126,9 @@ std::string shell_word(std::string_view path) {
            std::string_view("/._-+:@%=,").find(c) != std::string_view::npos;
   };
   const auto shown = [](char c) { return c >= ' ' && c <= '~'; };
-  if (!path.empty() && std::all_of(path.begin(), path.end(), plain))
+  if (!path.empty() && std::ranges::all_of(path, plain))
     return std::string(path);
-  const bool all_shown = std::all_of(path.begin(), path.end(), shown);
+  const bool all_shown = std::ranges::all_of(path, shown);
   std::string word = all_shown ? "'" : "$'";
   for (const char c : path) {
     if (all_shown && c == '\'')

@@ -3,6 +3,7 @@
 /// \file  Who is who in a scenario: names for reports, tables and recordings.
 #include "core/diagnostics.hpp"
 #include "core/id.hpp"
+#include "core/value.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/library.hpp"
@@ -50,12 +51,18 @@ struct Roster {
         return PlayerId{static_cast<std::uint32_t>(i + 1)};
     return std::nullopt;
   }
+  /// By which some of the players can be meant: sides, flights, themselves.
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> all = listed(flights, &Flight::name);
+    all.insert(all.begin(), {"blue", "red"});
+    for (const Player& player : players)
+      all.push_back(player.name);
+    return all;
+  }
   /// "there is no player 'eagel1'; did you mean 'eagle1'?"
   [[nodiscard]] std::string unknown(std::string_view name) const {
-    std::vector<std::string> names;
-    for (const Player& player : players)
-      names.push_back(player.name);
-    return fmt::format("there is no player {}{}", quote(name), nearest_or_all(name, names));
+    return fmt::format("there is no player {}{}", quote(name),
+                       nearest_or_all(name, listed(players, &Player::name)));
   }
 };
 
@@ -126,5 +133,11 @@ class Fleet {
       ++standings[world.rows(fit)[i].flight].players;
   }
 };
+
+/// Everybody is remote whom `ours` names neither itself nor by his flight or side; nobody if it
+/// names nobody. `list` is what it was read from. Refused: names of nobody, and a remote player who
+/// is no aircraft.
+void share_out(const std::vector<std::string>& ours, const Value& list, Roster& roster,
+               Diagnostics& diagnostics);
 
 }  // namespace eyrie::scenario

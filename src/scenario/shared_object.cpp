@@ -201,7 +201,7 @@ class ElfChecker {
     if (file_[*at + size - 1] != '\0')
       return damaged("its names have no end");
     for (const ElfDynamic& d : entries_)
-      if (std::find(kTexts.begin(), kTexts.end(), d.d_tag) != kTexts.end() && d.d_un.d_val >= size)
+      if (std::ranges::find(kTexts, d.d_tag) != kTexts.end() && d.d_un.d_val >= size)
         return damaged("one of its names lies outside");
     return true;
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/source.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 
@@ -98,7 +96,7 @@ std::optional<std::string> Source::origin(std::string_view kind, std::string_vie
 
 std::string Source::shipped(std::string_view name) const {
   const std::vector<std::string> names = shipped_names();
-  if (std::find(names.begin(), names.end(), name) == names.end())
+  if (std::ranges::find(names, name) == names.end())
     return {};
   const std::string file = fmt::format("scenarios/{}.yaml", name);
   return folders_ || files_.contains(kOwn + file) ? kOwn + file : file;
@@ -108,7 +106,7 @@ std::vector<std::string> Source::shipped_names() const {
   std::vector<std::string> names = names_below("scenarios/");
   if (!folders_)  // a recorded scenario has its own ones elsewhere
     for (std::string& name : names_below(kOwn + "scenarios/"))
-      if (std::find(names.begin(), names.end(), name) == names.end())
+      if (std::ranges::find(names, name) == names.end())
         names.push_back(std::move(name));
   return names;
 }
@@ -130,7 +128,7 @@ std::vector<std::string> Source::data_names(std::string_view kind) const {
   for (const auto& [key, model] : models_)
     if (key.first == kind)
       names.push_back(key.second);
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -138,6 +136,11 @@ std::string relative_to(std::string_view file, std::string_view name) {
   if (name.starts_with('/') || name.starts_with(Source::kOwn))
     return std::string(name);
   return (fs::path(file).parent_path() / fs::path(name)).lexically_normal().generic_string();
+}
+
+std::string file_named(const Value& name) {
+  const std::string_view asker = name.where.file.text();
+  return asker.starts_with("--") ? name.text : relative_to(asker, name.text);
 }
 
 }  // namespace eyrie::scenario

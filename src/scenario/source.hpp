@@ -107,6 +107,9 @@ class Source {
 /// "folder/of/file.yaml" + "other.yaml" -> "folder/of/other.yaml"; an absolute name stays, and one
 /// of Eyrie's own ("eyrie:scenarios/sweep.yaml").
 [[nodiscard]] std::string relative_to(std::string_view file, std::string_view name);
+/// The file that a value names: from the folder of the file that it stands in, or, typed as part of
+/// an option, as it was typed.
+[[nodiscard]] std::string file_named(const Value& name);
 
 /// Whether a file is none to fly but one to include: it holds trees, data and plugins alone.
 [[nodiscard]] bool is_package(const Value& document);

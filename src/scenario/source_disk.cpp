@@ -51,7 +51,7 @@ class Disk final : public Source::Folders {
       return false;
     std::error_code failed;
     const fs::path path = fs::weakly_canonical(fs::absolute(place_of(name), failed), failed);
-    return failed || std::none_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
+    return failed || std::ranges::none_of(roots_, [&](const fs::path& root) {
              return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first ==
                     root.end();
            });
@@ -136,7 +136,7 @@ std::string launch_zones(const std::string& home) {
   std::string all;
   const fs::path folder = fs::path(home) / "data" / "zones";
   std::vector<std::string> names = names_with(".zone", folder);
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   for (const std::string& name : names) {
     std::error_code failed;
     if (!fs::is_regular_file(folder / name, failed))

@@ -54,10 +54,8 @@ std::optional<Spread> spread_of(const PlayerPlan& player, Spread of, const Refer
   if (!start.altitude || !start.heading || !start.speed)
     return std::nullopt;
   of.altitude = *start.altitude;
-  if (const auto wrong = problem_in_formation(of)) {
-    diagnostics.error(player.where, fmt::format("{}: {}", player.name, *wrong));
-    return std::nullopt;
-  }
+  if (const auto wrong = problem_in_formation(of))
+    return diagnostics.error(player.where, "{}: {}", player.name, *wrong);
   if (of.by == SpreadSpec{})
     return std::nullopt;
   of.heading = *start.heading;
@@ -68,10 +66,8 @@ std::optional<Spread> spread_of(const PlayerPlan& player, Spread of, const Refer
     of.altitude -= of.offset.z;
     of.offset = {};
   }
-  if (const auto wrong = problem(of)) {
-    diagnostics.error(player.place("spread"), fmt::format("{}: spread.{}", player.name, *wrong));
-    return std::nullopt;
-  }
+  if (const auto wrong = problem(of))
+    return diagnostics.error(player.place("spread"), "{}: spread.{}", player.name, *wrong);
   return of;
 }
 

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "core/text.hpp"
-#include "scenario/node_files.hpp"
 #include "scenario/player_kind.hpp"
 
 namespace eyrie::scenario {
@@ -14,6 +13,26 @@ namespace {
 constexpr std::size_t kMostTrees = 2000;
 /// Of all trees together: a few hundred bytes each.
 constexpr std::size_t kMostTreeNodes = 500'000;
+
+/// The files that nodes of a scenario are made of, such as networks: beside the file that names
+/// them, or, named by an option, as it was typed. They go into run files as the others do.
+class NodeFiles final : public ubf::NodeFiles {
+ public:
+  explicit NodeFiles(Source& source) : source_(source) {}
+  std::optional<std::string> read(const Value& name, Diagnostics& diagnostics) override {
+    const std::string asker(name.where.file.text()), path = file_named(name);
+    auto bytes = source_.read_bytes(path);
+    if (bytes && bytes->size() <= Source::kLargestBytes)
+      return bytes;
+    return diagnostics.error(name.where,
+                             bytes ? fmt::format("{} is larger than {} MB", quote_path(path),
+                                                 Source::kLargestBytes >> 20)
+                                   : source_.why_unread(path, asker));
+  }
+
+ private:
+  Source& source_;
+};
 
 /// Somebody who uses a tree, and where that is said.
 struct User {
@@ -88,7 +107,7 @@ bool is_read_renamed(const std::string& tree, const std::vector<ubf::NamedSpec>&
 /// Whether an order gives a tree to a player of a kind.
 bool is_given_to(const PlayerKind& kind, std::string_view tree,
                  const std::vector<OrderSpec>& orders) {
-  return std::any_of(orders.begin(), orders.end(), [&](const OrderSpec& order) {
+  return std::ranges::any_of(orders, [&](const OrderSpec& order) {
     return order.swap_tree == tree && kind.has(order.player);
   });
 }
@@ -130,9 +149,9 @@ bool add_for(const User& user, const ubf::NamedSpec& spec, Own& own, Other& othe
     return true;
   const Diagnostic first = found.sorted().front();
   if (both_are_there && other.can_read(spec))
-    diagnostics.error(user.where, fmt::format("{} is {}, and tree {} is for {}s ({}: {})",
-                                              user.name, own.platform, quote(spec.name),
-                                              other.agent, first.where.text(), first.message));
+    diagnostics.error(user.where, "{} is {}, and tree {} is for {}s ({}: {})", user.name,
+                      own.platform, quote(spec.name), other.agent, first.where.text(),
+                      first.message);
   else
     for (const Diagnostic& d : found.sorted())
       diagnostics.error(d.where, !both_are_there ? d.message
@@ -160,8 +179,8 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
 
   if (map->entries.size() > kMostTrees) {
     book.too_many_ = true;
-    diagnostics.error(map->where, fmt::format("trees: {} of them; a scenario has at most {}",
-                                              map->entries.size(), kMostTrees));
+    diagnostics.error(map->where, "trees: {} of them; a scenario has at most {}",
+                      map->entries.size(), kMostTrees);
     return book;
   }
   std::optional<NodeFiles> node_files;
@@ -211,9 +230,8 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
       book.broken_.push_back(spec.name);
     if (nodes > kMostTreeNodes) {
       book.too_many_ = true;
-      diagnostics.error(spec.value->where,
-                        fmt::format("trees: with {} they have more than {} nodes", quote(spec.name),
-                                    kMostTreeNodes));
+      diagnostics.error(spec.value->where, "trees: with {} they have more than {} nodes",
+                        quote(spec.name), kMostTreeNodes);
       break;
     }
   }
@@ -223,15 +241,13 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
 void TreeBook::missing(const std::string& name, const Location& where,
                        Diagnostics& diagnostics) const {
   const auto has = [&](const std::vector<std::string>& names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::ranges::find(names, name) != names.end();
   };
   if (has(templates_))
-    diagnostics.error(where, fmt::format("tree {} needs arguments: fly a tree that refers to it "
-                                         "with some",
-                                         quote(name)));
+    diagnostics.error(where, "tree {} needs arguments: fly a tree that refers to it with some",
+                      quote(name));
   else if (!has(broken_) && !too_many_)
-    diagnostics.error(
-        where, fmt::format("there is no tree {}{}", quote(name), nearest_or_all(name, names_)));
+    diagnostics.error(where, "there is no tree {}{}", quote(name), nearest_or_all(name, names_));
 }
 
 }  // namespace eyrie::scenario

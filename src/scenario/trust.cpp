@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/trust.hpp"
 
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
@@ -39,7 +38,7 @@ std::string line_problem(std::string_view line) {
       line.substr(kDigits, kBetween.size()) != kBetween)
     return "expected a SHA-256 (64 small hexadecimal digits), two spaces and a path";
   const std::string_view path = line.substr(kDigits + kBetween.size());
-  if (!path.starts_with('/') || std::any_of(path.begin(), path.end(), is_control))
+  if (!path.starts_with('/') || std::ranges::any_of(path, is_control))
     return fmt::format("{} is not an absolute path", quote(path));
   return {};
 }
@@ -72,9 +71,8 @@ TrustList TrustList::read(const std::string& file) {
     throw ConfigError({file, 0, 0}, "belongs to somebody else; what it trusts is not trusted");
   if ((is.st_mode & (S_IWGRP | S_IWOTH)) != 0)
     throw ConfigError({file, 0, 0},
-                      fmt::format("others may write to it; what it trusts is not trusted (chmod "
-                                  "go-w {})",
-                                  shell_word(file)));
+                      "others may write to it; what it trusts is not trusted (chmod go-w {})",
+                      shell_word(file));
   Diagnostics wrong;
   std::string_view rest = read.bytes;
   for (int line = 1; !rest.empty(); ++line) {
@@ -86,7 +84,7 @@ TrustList TrustList::read(const std::string& file) {
       Entry entry{std::string(text.substr(0, kDigits)),
                   std::string(text.substr(kDigits + kBetween.size()))};
       const auto same = [&](const Entry& other) { return other.path == entry.path; };
-      if (std::none_of(list.entries_.begin(), list.entries_.end(), same)) {
+      if (std::ranges::none_of(list.entries_, same)) {
         list.add(std::move(entry));
         continue;
       }
@@ -123,9 +121,8 @@ std::string TrustList::why_not(const std::string& path, const std::string& sha25
 
 void TrustList::add(Entry entry) {
   remove(entry.path);
-  const auto after =
-      std::upper_bound(entries_.begin(), entries_.end(), entry,
-                       [](const Entry& a, const Entry& b) { return a.path < b.path; });
+  const auto after = std::ranges::upper_bound(
+      entries_, entry, [](const Entry& a, const Entry& b) { return a.path < b.path; });
   entries_.insert(after, std::move(entry));
 }
 

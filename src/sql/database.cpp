@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sql/database.hpp"
 
-#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <cerrno>
@@ -121,8 +120,7 @@ Database::Database(const std::string& path, Access access) {
     if (!opened)
       throw std::bad_alloc();
     if (result != SQLITE_OK)
-      throw disk::Failed(
-          fmt::format("cannot open {}: {}", quote_path(path), sqlite3_errmsg(opened)));
+      throw disk::Failed("cannot open {}: {}", quote_path(path), sqlite3_errmsg(opened));
     sqlite3_busy_timeout(opened, kWait);
   };
   open(nullptr);
@@ -161,10 +159,10 @@ Statement Database::prepare(std::string_view sql) {
   };
   Statement first = next();
   if (!first.statement_)
-    throw disk::Refused(fmt::format("there is no statement in {}", quote(sql)));
+    throw disk::Refused("there is no statement in {}", quote(sql));
   const std::string_view more(rest, static_cast<std::size_t>(sql.data() + sql.size() - rest));
   if (next().statement_)
-    throw disk::Refused(fmt::format("one statement at a time, not also {}", quote(more)));
+    throw disk::Refused("one statement at a time, not also {}", quote(more));
   return first;
 }
 

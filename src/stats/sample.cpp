@@ -2,13 +2,21 @@
 #include "stats/sample.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
-#include "stats/distributions.hpp"
-
 namespace eyrie::stats {
 namespace {
+
+// Boost's distributions, reckoned in double. As they come they reckon in long double, which has
+// other digits on another CPU, and some that valgrind does not know.
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+using Binomial = boost::math::binomial_distribution<double, InDouble>;
+using Normal = boost::math::normal_distribution<double, InDouble>;
+using StudentsT = boost::math::students_t_distribution<double, InDouble>;
 
 double t_of(std::uint64_t n, double confidence) {
   const StudentsT student(static_cast<double>(n - 1));
@@ -16,6 +24,49 @@ double t_of(std::uint64_t n, double confidence) {
 }
 
 }  // namespace
+
+Interval wilson(const Share& share, double confidence) {
+  if (!share.n)
+    return {};
+  const double z = quantile(Normal(), (1 + confidence) / 2);
+  const auto n = static_cast<double>(share.n);
+  const double p = share.value(), spread = z * z / n;
+  const double middle = (p + spread / 2) / (1 + spread);
+  const double half = z / (1 + spread) * std::sqrt(p * (1 - p) / n + spread / n / 4);
+  return {share.count == 0 ? 0 : std::max(middle - half, 0.0),
+          share.count == share.n ? 1 : std::min(middle + half, 1.0)};
+}
+
+Interval newcombe(const Share& one, const Share& other, double confidence) {
+  const Interval a = wilson(one, confidence), b = wilson(other, confidence);
+  const double p = one.value(), q = other.value();
+  return {p - q - std::hypot(p - a.low, b.high - q), p - q + std::hypot(a.high - p, q - b.low)};
+}
+
+Interval newcombe_paired(std::uint64_t both, std::uint64_t only_one, std::uint64_t only_other,
+                         std::uint64_t n, double confidence) {
+  if (n == 0)
+    return {-1, 1};
+  const Share one{both + only_one, n}, other{both + only_other, n};
+  const Interval a = wilson(one, confidence), b = wilson(other, confidence);
+  const double p = one.value(), q = other.value();
+  // how far the two go together, with a correction for continuity where they do
+  const double margins = p * (1 - p) * q * (1 - q), pairs = static_cast<double>(n);
+  double together = static_cast<double>(both) / pairs - p * q;
+  if (together > 0)
+    together = std::max(together - 0.5 / pairs, 0.0);
+  const double phi = margins > 0 ? together / std::sqrt(margins) : 0;
+  const auto reach = [&](double x, double y) {
+    return std::sqrt(std::max(x * x - 2 * phi * x * y + y * y, 0.0));
+  };
+  return {std::max(p - q - reach(p - a.low, b.high - q), -1.0),
+          std::min(p - q + reach(a.high - p, q - b.low), 1.0)};
+}
+
+double mcnemar(std::uint64_t only_one, std::uint64_t only_other) {
+  const Binomial fair(static_cast<double>(only_one + only_other), 0.5);
+  return std::min(1.0, 2 * cdf(fair, static_cast<double>(std::min(only_one, only_other))));
+}
 
 void Moments::add(double x) {
   const double before = x - mean_;
@@ -77,7 +128,7 @@ std::optional<Interval> Ratio::fieller(double confidence) const {
 std::vector<double> holm(std::span<const double> p) {
   std::vector<std::size_t> order(p.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return p[a] < p[b]; });
+  std::ranges::stable_sort(order, [&](auto a, auto b) { return p[a] < p[b]; });
   std::vector<double> corrected(p.size());
   double least = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stats/share.hpp"
+#include "stats/sample.hpp"
 
 #include <gtest/gtest.h>
 

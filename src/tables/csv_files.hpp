@@ -14,8 +14,6 @@ class TextFile {
  public:
   TextFile(disk::Sink& sink, bool compressed);
   ~TextFile();
-  TextFile(const TextFile&) = delete;
-  TextFile& operator=(const TextFile&) = delete;
 
   void write(std::string_view text);
   void finish();

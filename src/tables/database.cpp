@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "tables/database.hpp"
 
-#include "core/text.hpp"
 #include "sql/database.hpp"
+#include "core/text.hpp"
 #include "tables/schema.hpp"
 #include "tables/track_rows.hpp"
 

@@ -19,8 +19,7 @@ std::vector<Cell> cells_of(std::span<const debrief::Value> values,
                            std::span<const ActionColumn> columns) {
   std::vector<Cell> cells(columns.size());
   for (const debrief::Value& value : values) {
-    const auto at = std::find_if(columns.begin(), columns.end(),
-                                 [&](const ActionColumn& c) { return c.name == value.name; });
+    const auto at = std::ranges::find(columns, value.name, &ActionColumn::name);
     if (at == columns.end())
       continue;
     Cell& cell = cells[static_cast<std::size_t>(at - columns.begin())];
@@ -36,8 +35,7 @@ std::vector<Cell> cells_of(std::span<const debrief::Value> values,
 
 void add_columns(std::span<const ubf::ActionFieldInfo> fields, std::vector<ActionColumn>& columns) {
   for (const ubf::ActionFieldInfo& field : fields)
-    if (std::none_of(columns.begin(), columns.end(),
-                     [&](const ActionColumn& c) { return c.name == field.name; }))
+    if (std::ranges::none_of(columns, [&](const ActionColumn& c) { return c.name == field.name; }))
       columns.push_back({std::string(field.name), column_of(field),
                          std::string(field.unit.si_symbol), field.is_words, field.is_real});
 }

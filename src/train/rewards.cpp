@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "train/rewards.hpp"
+#include "train/task.hpp"
 
 #include <algorithm>
 

@@ -22,9 +22,9 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
       observation_(task_.observation, {"observation", 1, 1}) {
   constexpr std::size_t kMostEnvs = 1'000'000;  // of some 50 kB each
   if (options_.envs == 0 || options_.envs > kMostEnvs)
-    refuse(fmt::format("{} environments: there can be 1 to {}", options_.envs, kMostEnvs));
+    refuse("{} environments: there can be 1 to {}", options_.envs, kMostEnvs);
   if (options_.workers == 0 || options_.workers > 256)
-    refuse(fmt::format("{} workers: there can be 1 to 256", options_.workers));
+    refuse("{} workers: there can be 1 to 256", options_.workers);
   if (task_.controls.empty() == !task_.votes)
     refuse("a task has controls or votes, one of them");
   if (!task_.votes)
@@ -32,13 +32,11 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
   for (const Reward& r : task_.rewards) {
     if (!std::isfinite(r.weight) || !(r.low <= r.high) || !std::isfinite(r.high - r.low) ||
         (r.term == Term::closing && !(r.high > 0)))
-      refuse(fmt::format("reward {}: weight {}, from {} to {}", enum_name(r.term), r.weight, r.low,
-                         r.high));
+      refuse("reward {}: weight {}, from {} to {}", enum_name(r.term), r.weight, r.low, r.high);
     if (r.high == 0 &&
         (r.term == Term::closeness || r.term == Term::low || r.term == Term::formation))
-      refuse(
-          fmt::format("reward {} needs a range: it is 1 up to its low end, 0 from its high end on",
-                      enum_name(r.term)));
+      refuse("reward {} needs a range: it is 1 up to its low end, 0 from its high end on",
+             enum_name(r.term));
   }
   for (const pilot::Control& control : controls_.controls())
     action_names_.emplace_back(control.info().name);
@@ -107,19 +105,19 @@ void VectorEnv::read_learners() {
   for (const std::string& name : task_.learners) {
     const auto id = scenario_->roster.find(name);
     if (!id)
-      refuse("learner: " + scenario_->roster.unknown(name));
+      refuse("learner: {}", scenario_->roster.unknown(name));
     const auto row = scenario_->start->row(scenario_->aircraft.table, *id);
     if (!row || scenario_->roster.find(*id)->remote)
-      refuse(fmt::format("learner {} is no aircraft of this program", quote(name)));
+      refuse("learner {} is no aircraft of this program", quote(name));
     for (const Learner& other : learners_)
       if (other.id == *id)
-        refuse(fmt::format("learner {} is named twice", quote(name)));
+        refuse("learner {} is named twice", quote(name));
     const std::uint16_t tree = scenario_->start->rows(scenario_->pilots.agent)[*row].tree;
     if (tree == pilot::kNoTree)
       refuse(
-          fmt::format("learner {} has no tree: what is asked of it goes through its tree, if "
-                      "only one of navigate",
-                      quote(name)));
+          "learner {} has no tree: what is asked of it goes through its tree, if "
+          "only one of navigate",
+          quote(name));
     Learner learner{.id = *id, .nodes = {}};
     if (task_.votes) {
       const pilot::Tree& flown = (*scenario_->trees)[tree];
@@ -128,23 +126,23 @@ void VectorEnv::read_learners() {
         paths.push_back(flown.path(static_cast<ubf::NodeIndex>(i)));
       const auto arbiter = flown.find(task_.votes->arbiter);
       if (!arbiter)
-        refuse(fmt::format("votes: tree {} of {} has no node {}{}", quote(flown.name()), name,
-                           quote(task_.votes->arbiter), did_you_mean(task_.votes->arbiter, paths)));
+        refuse("votes: tree {} of {} has no node {}{}", quote(flown.name()), name,
+               quote(task_.votes->arbiter), did_you_mean(task_.votes->arbiter, paths));
       std::vector<std::string> voters;
       for (const auto& child : flown.node(*arbiter).children()) {
         learner.nodes.push_back(static_cast<std::uint16_t>(child->index() + 1));
         voters.push_back(paths[child->index()]);
       }
       if (voters.empty() || voters.size() > model::Tasking::kVotes)
-        refuse(fmt::format("votes: {} has {} children, there can be 1 to {}",
-                           quote(task_.votes->arbiter), voters.size(), model::Tasking::kVotes));
+        refuse("votes: {} has {} children, there can be 1 to {}", quote(task_.votes->arbiter),
+               voters.size(), model::Tasking::kVotes);
       if (!(task_.votes->most > 0 && task_.votes->most <= 1000))
-        refuse(fmt::format("votes: {} is outside (0, 1000]", task_.votes->most));
+        refuse("votes: {} is outside (0, 1000]", task_.votes->most);
       if (learners_.empty())
         action_names_ = voters;
       else if (action_names_ != voters)
-        refuse(fmt::format("votes: {} and {} fly by trees with other children there",
-                           task_.learners.front(), name));
+        refuse("votes: {} and {} fly by trees with other children there", task_.learners.front(),
+               name);
     }
     learners_.push_back(std::move(learner));
   }
@@ -157,20 +155,20 @@ void VectorEnv::read_opponents() {
   for (const Opponent& opponent : task_.opponents) {
     const auto id = scenario_->roster.find(opponent.player);
     if (!id)
-      refuse("opponent: " + scenario_->roster.unknown(opponent.player));
+      refuse("opponent: {}", scenario_->roster.unknown(opponent.player));
     if (scenario_->roster.find(*id)->fleet != 0)
-      refuse(fmt::format("opponent: {} is no aircraft", quote(opponent.player)));
+      refuse("opponent: {} is no aircraft", quote(opponent.player));
     for (const Learner& learner : learners_)
       if (learner.id == *id)
-        refuse(fmt::format("opponent: {} learns", quote(opponent.player)));
+        refuse("opponent: {} learns", quote(opponent.player));
     if (opponent.trees.empty())
-      refuse(fmt::format("opponent {}: name a tree", quote(opponent.player)));
+      refuse("opponent {}: name a tree", quote(opponent.player));
     Choice choice{.player = *id, .trees = {}};
     for (const std::string& name : opponent.trees) {
       const auto tree = scenario_->trees->find(name);
       if (!tree)
-        refuse(fmt::format("opponent {}: there is no tree {}{}", quote(opponent.player),
-                           quote(name), did_you_mean(name, trees)));
+        refuse("opponent {}: there is no tree {}{}", quote(opponent.player), quote(name),
+               did_you_mean(name, trees));
       choice.trees.push_back(*tree);
     }
     choices_.push_back(std::move(choice));

@@ -10,8 +10,9 @@
 namespace eyrie::train {
 
 /// A mistake of the caller.
-[[noreturn]] inline void refuse(std::string words) {
-  throw std::invalid_argument(std::move(words));
+template <class... T>
+[[noreturn]] void refuse(fmt::format_string<T...> words, T&&... values) {
+  throw std::invalid_argument(fmt::format(words, std::forward<T>(values)...));
 }
 
 /// One environment: the world of its episode, and what is not in it.

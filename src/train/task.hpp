@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What is learned: a scenario, who learns in it, what he sees, does and is rewarded for.
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "core/enum_names.hpp"
+/// \file  What is learned: a scenario, who learns in it, what he sees, does and is rewarded for;
+/// and what one decision of his was worth.
+#include "scenario/scenario.hpp"
 
 namespace eyrie::train {
 
@@ -77,5 +71,22 @@ struct TaskSpec {
 [[nodiscard]] std::span<const TaskSpec> tasks();
 /// One of them; throws std::invalid_argument with the nearest name.
 [[nodiscard]] const TaskSpec& task(std::string_view name);
+
+/// Of the last decision of one learner.
+struct Merit {
+  bool alive = true;        ///< after it
+  bool home = false;        ///< not alive because it came home
+  std::uint32_t kills = 0;  ///< of enemies
+  std::uint32_t hits = 0, hits_by = 0, launches = 0;
+  float rounds = 0;
+};
+
+/// Notes in `merit` what an event means for a player.
+void note(const sim::Event& event, PlayerId who, const scenario::Roster& roster, Merit& merit);
+
+/// The sum of the terms. `over`: the episode is. `seconds`: since the decision before.
+[[nodiscard]] double reward(std::span<const Reward> terms, const scenario::Scenario& scenario,
+                            const sim::World& world, PlayerId who, const Merit& merit, bool over,
+                            double seconds);
 
 }  // namespace eyrie::train

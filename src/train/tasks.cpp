@@ -180,13 +180,11 @@ std::span<const TaskSpec> tasks() {
 }
 
 const TaskSpec& task(std::string_view name) {
-  std::vector<std::string> names;
-  for (const TaskSpec& one : tasks()) {
+  for (const TaskSpec& one : tasks())
     if (one.name == name)
       return one;
-    names.push_back(one.name);
-  }
-  throw std::invalid_argument("there is no task " + quote(name) + did_you_mean(name, names));
+  throw std::invalid_argument("there is no task " + quote(name) +
+                              did_you_mean(name, listed(tasks(), &TaskSpec::name)));
 }
 
 }  // namespace eyrie::train

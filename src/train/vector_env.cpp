@@ -16,7 +16,7 @@ namespace {
 template <class T>
 void check_size(std::string_view name, std::span<T> array, std::size_t size) {
   if (array.size() != size)
-    refuse(fmt::format("{}: {} numbers, expected {}", name, array.size(), size));
+    refuse("{}: {} numbers, expected {}", name, array.size(), size);
 }
 
 }  // namespace
@@ -39,15 +39,14 @@ void VectorEnv::check_actions(std::span<const float> actions) const {
   const float* action = actions.data();
   for (std::size_t env = 0; env < shape_.envs; ++env) {
     if (slots_[env].fault)
-      refuse(fmt::format("environment {} cannot go on: reset it", env));
+      refuse("environment {} cannot go on: reset it", env);
     for (std::size_t agent = 0; agent < shape_.agents; ++agent)
       for (std::size_t i = 0; i < shape_.action; ++i, ++action) {
         if (std::isnan(*action))
-          refuse(fmt::format("action {} of {} in environment {} is not a number", action_names_[i],
-                             task_.learners[agent], env));
+          refuse("action {} of {} in environment {} is not a number", action_names_[i],
+                 task_.learners[agent], env);
         if (*action != 0 && !slots_[env].agents[agent].alive)
-          refuse(fmt::format("{} in environment {} is dead: its actions must be 0",
-                             task_.learners[agent], env));
+          refuse("{} in environment {} is dead: its actions must be 0", task_.learners[agent], env);
       }
   }
 }
@@ -68,7 +67,7 @@ void VectorEnv::begin(Slot& slot, std::uint64_t seed) const {
   for (Slot::Agent& agent : slot.agents) {
     agent.alive = true;
     agent.merit = {};
-    std::fill(agent.votes.begin(), agent.votes.end(), -1.0F);
+    std::ranges::fill(agent.votes, -1.0F);
   }
 }
 
@@ -100,7 +99,7 @@ void VectorEnv::reset(std::uint64_t seed, const Arrays& out) {
 void VectorEnv::reset_one(std::size_t env, std::uint64_t seed, const Arrays& out) {
   check(out);
   if (env >= shape_.envs)
-    refuse(fmt::format("environment {} of {}", env, shape_.envs));
+    refuse("environment {} of {}", env, shape_.envs);
   begin(slots_[env], seed);
   show(env, out);
 }
@@ -269,7 +268,7 @@ void VectorEnv::observe(const Slot& slot, std::size_t agent, float* observation,
 
 const VectorEnv::Slot& VectorEnv::slot(std::size_t env) const {
   if (env >= slots_.size())
-    refuse(fmt::format("environment {} of {}", env, slots_.size()));
+    refuse("environment {} of {}", env, slots_.size());
   return slots_[env];
 }
 std::uint64_t VectorEnv::seed(std::size_t env) const {
@@ -304,10 +303,10 @@ void VectorEnv::restore(const Snapshot& snapshot, const Arrays& out) {
 record::RunFile VectorEnv::episode(std::size_t env, bool last_one) const {
   const Slot& slot = this->slot(env);
   if (!slot.kept)
-    refuse(fmt::format("episodes of environment {} are not kept: those of the first {} are", env,
-                       options_.keep_episodes));
+    refuse("episodes of environment {} are not kept: those of the first {} are", env,
+           options_.keep_episodes);
   if (last_one && slot.last.steps == 0)
-    refuse(fmt::format("no episode of environment {} is over", env));
+    refuse("no episode of environment {} is over", env);
   const std::uint64_t seed = last_one ? slot.last.seed : slot.seed;
   const std::uint64_t steps = last_one ? slot.last.steps : slot.world.step();
   record::RunFile run = record::run_file_of(*scenario_, seed, kVersion);

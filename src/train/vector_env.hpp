@@ -8,7 +8,6 @@
 #include "scenario/mission.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/simulation.hpp"
-#include "train/rewards.hpp"
 #include "train/task.hpp"
 
 namespace eyrie::train {

@@ -58,9 +58,10 @@ class Parser {
     const bool good = any_of(0);
     space();
     if (good && at_ < text_.size())
-      fail(at_, text_[at_] == ')'
-                    ? "there is no '(' for this ')'"
-                    : fmt::format("expected 'and', 'or' or the end, got {}", quote(rest_word())));
+      fail(at_, "{}",
+           text_[at_] == ')'
+               ? "there is no '(' for this ')'"
+               : fmt::format("expected 'and', 'or' or the end, got {}", quote(rest_word())));
     if (failed_)
       return std::nullopt;
     return std::move(program_);
@@ -69,18 +70,23 @@ class Parser {
  private:
   /// Of UTF-8: "°" is one of them.
   static int characters(std::string_view text) {
-    return static_cast<int>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    return static_cast<int>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
   }
-  bool fail(std::size_t at, std::string message) {
+  template <class... T>
+  bool fail(std::size_t at, fmt::format_string<T...> words, T&&... values) {
     if (!failed_) {
       Location where = value_.where;
       if (where.column)
         where.column += characters(text_.substr(0, at)) + (value_.quoted ? 1 : 0);
-      diagnostics_.error(where, std::move(message));
+      diagnostics_.error(where, "{}", fmt::format(words, std::forward<T>(values)...));
     }
     failed_ = true;
     return false;
+  }
+  template <class... T>
+  std::nullopt_t none(std::size_t at, fmt::format_string<T...> words, T&&... values) {
+    fail(at, words, std::forward<T>(values)...);
+    return std::nullopt;
   }
   void space() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])))
@@ -133,7 +139,7 @@ class Parser {
   bool factor(int depth) {
     space();
     if (depth > kMostNested)
-      return fail(at_, fmt::format("nested more than {} deep", kMostNested));
+      return fail(at_, "nested more than {} deep", kMostNested);
     if (take_word("not")) {
       if (!factor(depth + 1))
         return false;
@@ -154,9 +160,8 @@ class Parser {
     if (!left)
       return false;
     space();
-    const auto sign = std::find_if(kComparisons.begin(), kComparisons.end(), [&](const auto& c) {
-      return text_.substr(at_).starts_with(c.sign);
-    });
+    const auto sign = std::ranges::find_if(
+        kComparisons, [&](const auto& c) { return text_.substr(at_).starts_with(c.sign); });
     if (sign == kComparisons.end()) {
       if (at_ < text_.size() && text_[at_] == '=')
         return fail(at_, "write '==' to compare");
@@ -175,17 +180,13 @@ class Parser {
   /// A field, a quantity or the name of a choice; the other side tells the last two apart.
   std::optional<Side> side() {
     space();
-    if (at_ >= text_.size()) {
-      fail(at_, "expected a state field or a quantity, got the end");
-      return std::nullopt;
-    }
+    if (at_ >= text_.size())
+      return none(at_, "expected a state field or a quantity, got the end");
     Side side{.at = at_, .text = {}, .field = {}};
     if (begins_word(text_[at_])) {
       side.text = word_at(at_);
-      if (is_keyword(side.text)) {
-        fail(at_, fmt::format("expected a state field or a quantity, got {}", quote(side.text)));
-        return std::nullopt;
-      }
+      if (is_keyword(side.text))
+        return none(at_, "expected a state field or a quantity, got {}", quote(side.text));
       at_ += side.text.size();
       if (const std::size_t field = names_.find(fields_, side.text); field < fields_.size())
         side.field = field;
@@ -193,10 +194,8 @@ class Parser {
     }
     quantity();
     side.text = text_.substr(side.at, at_ - side.at);
-    if (side.text.empty()) {
-      fail(at_, fmt::format("expected a state field or a quantity, got {}", quote(rest_word())));
-      return std::nullopt;
-    }
+    if (side.text.empty())
+      return none(at_, "expected a state field or a quantity, got {}", quote(rest_word()));
     return side;
   }
   /// A number and, behind it, a unit.
@@ -220,7 +219,7 @@ class Parser {
   }
 
   [[nodiscard]] const StateFieldInfo& info(const Side& side) const { return fields_[*side.field]; }
-  bool unknown(const Side& side) { return fail(side.at, names_.unknown(fields_, side.text)); }
+  bool unknown(const Side& side) { return fail(side.at, "{}", names_.unknown(fields_, side.text)); }
   static Operand operand(std::size_t field) {
     return {.field = static_cast<std::uint32_t>(field), .number = 0};
   }
@@ -229,10 +228,10 @@ class Parser {
     if (!side.field && begins_word(side.text.front()))
       return unknown(side);
     if (!side.field)
-      return fail(side.at, fmt::format("{} is compared with nothing", quote(side.text)));
+      return fail(side.at, "{} is compared with nothing", quote(side.text));
     if (info(side).kind != FieldKind::flag)
-      return fail(side.at, fmt::format("{} is not true or false: compare it, as in {}",
-                                       quote(side.text), example(side)));
+      return fail(side.at, "{} is not true or false: compare it, as in {}", quote(side.text),
+                  example(side));
     program_.push_back({.op = Op::flag, .left = operand(*side.field), .right = {}});
     return true;
   }
@@ -254,11 +253,10 @@ class Parser {
     const Side& other = left.field ? right : left;
     const StateFieldInfo& f = info(field);
     if (f.kind == FieldKind::flag)
-      return fail(field.at, fmt::format("{} is true or false: write {} or not {}",
-                                        quote(field.text), field.text, field.text));
+      return fail(field.at, "{} is true or false: write {} or not {}", quote(field.text),
+                  field.text, field.text);
     if (f.kind == FieldKind::choice && op != Op::equal && op != Op::not_equal)
-      return fail(field.at,
-                  fmt::format("{} is one of several: compare it with == or !=", quote(field.text)));
+      return fail(field.at, "{} is one of several: compare it with == or !=", quote(field.text));
     std::optional<Operand> value = other.field ? same_kind(field, other) : number(field, other);
     if (!value)
       return false;
@@ -272,20 +270,17 @@ class Parser {
     const StateFieldInfo &a = info(field), &b = info(other);
     if (a.kind == b.kind && a.unit == b.unit && a.choices.data() == b.choices.data())
       return operand(*other.field);
-    fail(other.at,
-         fmt::format("{} cannot be compared with {}", quote(other.text), quote(field.text)));
-    return std::nullopt;
+    return none(other.at, "{} cannot be compared with {}", quote(other.text), quote(field.text));
   }
   std::optional<Operand> number(const Side& field, const Side& other) {
     const StateFieldInfo& f = info(field);
     if (f.kind == FieldKind::choice) {
-      const auto choice = std::find(f.choices.begin(), f.choices.end(), other.text);
+      const auto choice = std::ranges::find(f.choices, other.text);
       if (choice != f.choices.end())
         return Operand{.field = Operand::kNumber,
                        .number = static_cast<double>(choice - f.choices.begin())};
-      fail(other.at, fmt::format("{} is never {}{}", quote(field.text), quote(other.text),
-                                 did_you_mean(other.text, f.choices)));
-      return std::nullopt;
+      return none(other.at, "{} is never {}{}", quote(field.text), quote(other.text),
+                  did_you_mean(other.text, f.choices));
     }
     if (begins_word(other.text.front())) {
       unknown(other);
@@ -294,8 +289,7 @@ class Parser {
     const Parsed parsed = parse_quantity(other.text, f.unit.dimension);
     if (parsed)
       return Operand{.field = Operand::kNumber, .number = parsed.value};
-    fail(other.at, fmt::format("{}: {}", field.text, parsed.error));
-    return std::nullopt;
+    return none(other.at, "{}: {}", field.text, parsed.error);
   }
 
   const Value& value_;
@@ -314,11 +308,9 @@ std::optional<std::vector<Instruction>> parse_expression(const Value& text,
                                                          std::span<const StateFieldInfo> fields,
                                                          FieldNames& names,
                                                          Diagnostics& diagnostics) {
-  if (!text.is_scalar()) {
-    diagnostics.error(text.where,
-                      "expected a condition in words, as in range < 10 nmi, got " + text.shown());
-    return std::nullopt;
-  }
+  if (!text.is_scalar())
+    return diagnostics.error(
+        text.where, "expected a condition in words, as in range < 10 nmi, got " + text.shown());
   return Parser(text, fields, names, diagnostics).parse();
 }
 

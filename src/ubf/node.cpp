@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/node.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace eyrie::ubf {
@@ -125,8 +123,8 @@ void AnyTree::put(std::string_view path, std::unique_ptr<AnyNode> by) {
   std::unique_ptr<AnyNode>* place = &root_;
   while (*at > (*place)->index()) {
     auto& children = (*place)->children_;
-    place = &*std::find_if(children.begin(), children.end(),
-                           [&](const auto& child) { return child->end_index() > *at; });
+    place = &*std::ranges::find_if(children,
+                                   [&](const auto& child) { return child->end_index() > *at; });
   }
   *place = std::move(by);
   lay_out();

@@ -12,11 +12,16 @@ namespace {
 /// "tree 'a' refers to itself: a -> b -> a", if `name` is being read already; `open` are the trees
 /// being read, outermost first.
 std::optional<std::string> cycle_through(std::span<const std::string> open, std::string_view name) {
-  const auto first = std::find(open.begin(), open.end(), name);
+  const auto first = std::ranges::find(open, name);
   if (first == open.end())
     return std::nullopt;
   return fmt::format("tree {} refers to itself: {} -> {}", quote(name),
                      fmt::join(first, open.end(), " -> "), name);
+}
+
+/// No node, and its mistake has been reported.
+NodeReader::Child no_node(std::nullopt_t) {
+  return nullptr;
 }
 
 /// A name, or a map whose only key is none of the type's own: the only child, without its slot.
@@ -87,25 +92,23 @@ std::optional<std::size_t> NodeReader::field(const Value& name) {
   const std::size_t found = names_.find(registry_.fields_, name.text);
   if (found < registry_.fields_.size())
     return found;
-  error(name.where, names_.unknown(registry_.fields_, name.text));
-  return std::nullopt;
+  return diagnostics_.error(name.where, names_.unknown(registry_.fields_, name.text));
 }
 
 std::optional<std::string> NodeReader::file(const Value& name) {
   if (files_)
     return files_->read(name, diagnostics_);
-  error(name.where,
-        fmt::format("there is no file {}: nodes of this tree have no files", quote(name.text)));
-  return std::nullopt;
+  return diagnostics_.error(name.where, "there is no file {}: nodes of this tree have no files",
+                            quote(name.text));
 }
 
 bool NodeReader::within_limits(const Location& where) {
   if (depth_ >= kMaxDepth) {
-    error(where, fmt::format("nodes are nested more than {} deep", kMaxDepth));
+    diagnostics_.error(where, "nodes are nested more than {} deep", kMaxDepth);
     return false;
   }
   if (++count_ > kMaxNodes) {
-    error(where, fmt::format("the tree has more than {} nodes", kMaxNodes));
+    diagnostics_.error(where, "the tree has more than {} nodes", kMaxNodes);
     full_ = true;
     return false;
   }
@@ -117,31 +120,23 @@ NodeReader::Child NodeReader::read_reference(const NodeSpec& spec) {
   if (!reference)
     return nullptr;
   const std::string& name = reference->name;
-  const auto tree = std::find_if(trees_.begin(), trees_.end(),
-                                 [&](const NamedSpec& named) { return named.name == name; });
+  const auto tree = std::ranges::find(trees_, name, &NamedSpec::name);
   if (tree == trees_.end()) {
-    std::vector<std::string> names;
-    if (!diagnostics_.full())
-      for (const NamedSpec& named : trees_)
-        names.push_back(named.name);
-    error(reference->where,
-          fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, names)));
-    return nullptr;
+    const auto known = diagnostics_.full() ? std::span<const NamedSpec>() : trees_;
+    return no_node(diagnostics_.error(reference->where, "there is no tree {}{}", quote(name),
+                                      did_you_mean(name, listed(known, &NamedSpec::name))));
   }
-  if (const auto cycle = cycle_through(open_, name)) {
-    error(reference->where, *cycle);
-    return nullptr;
-  }
-  if (open_.size() >= kMaxDepth) {
-    error(spec.where, fmt::format("trees refer to one another more than {} deep", kMaxDepth));
-    return nullptr;
-  }
+  if (const auto cycle = cycle_through(open_, name))
+    return no_node(diagnostics_.error(reference->where, *cycle));
+  if (open_.size() >= kMaxDepth)
+    return no_node(
+        diagnostics_.error(spec.where, "trees refer to one another more than {} deep", kMaxDepth));
   names_.push(std::move(reference->renames));
   Child root = read_tree(name, *tree->value, reference->arguments, reference->where);
   for (const FieldRename& rename : names_.pop())
     if (root && !rename.used)
-      error(reference->renames_where,
-            fmt::format("fields: nothing in tree {} reads {}", quote(name), quote(rename.from)));
+      diagnostics_.error(reference->renames_where, "fields: nothing in tree {} reads {}",
+                         quote(name), quote(rename.from));
   if (root && root->label() == root->type())
     root->set_label(name);
   return root;
@@ -158,11 +153,9 @@ NodeReader::Child NodeReader::make_changed(NodeSpec spec) {
       pending_.push_back(&change);
       continue;
     }
-    if (!change.value.is_scalar()) {
-      error(change.value.where,
-            fmt::format("expected the name of a node, got {}", change.value.shown()));
-      return nullptr;
-    }
+    if (!change.value.is_scalar())
+      return no_node(diagnostics_.error(change.value.where, "expected the name of a node, got {}",
+                                        change.value.shown()));
     body = body_for_another_type(*spec.body, registry_.find(change.value.text));
     spec = {change.value.text, change.value.where, &body};
   }
@@ -179,14 +172,13 @@ NodeReader::Child NodeReader::make(const NodeSpec& spec) {
       const Value words = Value::scalar(spec.type, spec.where);
       return make({std::string(kHolds), spec.where, &words});
     }
-    std::vector<std::string_view> names{kTreeReference};
-    for (const NodeInfo& info : registry_.catalog())
-      names.push_back(info.name);
+    std::vector<std::string> names = listed(registry_.catalog(), &NodeInfo::name);
+    names.insert(names.begin(), std::string(kTreeReference));
     const std::string first = spec.type.substr(0, spec.type.find_first_of(" {["));
-    error(spec.where, fmt::format("there is no node {}{}", quote(spec.type),
-                                  first != spec.type && registry_.find(first)
-                                      ? fmt::format("; a colon is missing behind '{}'", first)
-                                      : did_you_mean(spec.type, names)));
+    diagnostics_.error(spec.where, "there is no node {}{}", quote(spec.type),
+                       first != spec.type && registry_.find(first)
+                           ? fmt::format("; a colon is missing behind '{}'", first)
+                           : did_you_mean(spec.type, names));
     read_below_unknown(*spec.body);
     return nullptr;
   }
@@ -195,9 +187,9 @@ NodeReader::Child NodeReader::make(const NodeSpec& spec) {
   } catch (const std::bad_alloc&) {  // nobody's mistake
     throw;
   } catch (const std::exception& e) {
-    error(spec.where, fmt::format("node {} (of {}) could not be made: {}", quote(spec.type),
-                                  registry_.infos_[found->second].origin, e.what()));
-    return nullptr;
+    return no_node(diagnostics_.error(spec.where, "node {} (of {}) could not be made: {}",
+                                      quote(spec.type), registry_.infos_[found->second].origin,
+                                      e.what()));
   }
 }
 
@@ -247,10 +239,8 @@ NodeReader::Child NodeReader::make(const NodeType& type, const NodeSpec& spec) {
     type.read(*node, spec, *this);
   if (diagnostics_.count() != before)
     return nullptr;
-  if (const std::string problem = node->problem(); !problem.empty()) {
-    error(place_of_problem(spec), problem);
-    return nullptr;
-  }
+  if (const std::string problem = node->problem(); !problem.empty())
+    return no_node(diagnostics_.error(place_of_problem(spec), problem));
   return node;
 }
 
@@ -267,12 +257,11 @@ NodeReader::Child NodeReader::make_voting(const NodeType& type, const NodeSpec& 
   if (!curve || !node)
     return nullptr;
   const std::optional<double> most = node->full_vote();
-  if (curve->least > 0 && !(most && curve->least <= *most)) {
-    error(text.where, most ? fmt::format("vote: 'least' is {}, above the full vote of {}",
-                                         curve->least, static_cast<float>(*most))
-                           : "vote: 'least' needs 'most' beside it");
-    return nullptr;
-  }
+  if (curve->least > 0 && !(most && curve->least <= *most))
+    return no_node(diagnostics_.error(
+        text.where, most ? fmt::format("vote: 'least' is {}, above the full vote of {}",
+                                       curve->least, static_cast<float>(*most))
+                         : "vote: 'least' needs 'most' beside it"));
   if (most && *most > 0)
     curve->least /= *most;
   node->set_vote_curve(std::move(*curve));
@@ -310,8 +299,8 @@ void NodeReader::read_leaf(AnyNode& node, const NodeSpec& spec) {
   if (!children)
     children = spec.body->find("child");
   if (spec.body->is_list() || children)
-    error(children ? children->where : spec.where,
-          fmt::format("{} is a {} and takes no children", spec.type, to_text(node.node_kind())));
+    diagnostics_.error(children ? children->where : spec.where, "{} is a {} and takes no children",
+                       spec.type, to_text(node.node_kind()));
   else
     bind(node, *spec.body, {});
 }
@@ -321,9 +310,11 @@ void NodeReader::read_children(AnyNode& node, const NodeSpec& spec) {
   const bool takes_one = node.type_->grammar == Grammar::list_or_one;
   const Value* list = spec.body;
   const Value* only = nullptr;
-  if (spec.body->is_scalar())
-    return error(spec.body->where, fmt::format("{}: write children as a list: [{}]", spec.type,
-                                               printable(spec.body->text, 40)));
+  if (spec.body->is_scalar()) {
+    diagnostics_.error(spec.body->where, "{}: write children as a list: [{}]", spec.type,
+                       printable(spec.body->text, 40));
+    return;
+  }
   if (spec.body->is_list()) {
     bind(node, Value::map({}, spec.where), {});
   } else {
@@ -336,13 +327,13 @@ void NodeReader::read_children(AnyNode& node, const NodeSpec& spec) {
     only = takes_one ? spec.body->find("child") : nullptr;
   }
   if (only && list)
-    error(only->where, fmt::format("{} has either 'child' or 'children'", spec.type));
+    diagnostics_.error(only->where, "{} has either 'child' or 'children'", spec.type);
   else if (only)
     node.children_ = read_list(std::span(only, 1));
   else if (list && !list->is_list())
-    error(list->where, fmt::format("children: expected a list of nodes, got {}", list->shown()));
+    diagnostics_.error(list->where, "children: expected a list of nodes, got {}", list->shown());
   else if (!list || list->items.empty())
-    error(list ? list->where : spec.where, fmt::format("{} needs at least one child", spec.type));
+    diagnostics_.error(list ? list->where : spec.where, "{} needs at least one child", spec.type);
   else
     node.children_ = read_list(list->items);
 }
@@ -352,10 +343,10 @@ void NodeReader::read_slots(AnyNode& node, const NodeSpec& spec) {
   const std::span<const std::string_view> slots = node.type_->child_keys;
   const Value& body = *spec.body;
   if (body.is_list() || body.find("children")) {
-    error(spec.where,
-          fmt::format("{} takes exactly one '{}'; put several nodes under an arbiter or a "
-                      "control node",
-                      spec.type, slots.back()));
+    diagnostics_.error(
+        spec.where,
+        "{} takes exactly one '{}'; put several nodes under an arbiter or a control node",
+        spec.type, slots.back());
     return;
   }
   if (is_child_alone(*node.type_, body)) {
@@ -368,7 +359,7 @@ void NodeReader::read_slots(AnyNode& node, const NodeSpec& spec) {
     if (const Value* child = body.find(slot))
       node.children_.push_back(read(*child));
     else
-      error(spec.where, fmt::format("{} needs a '{}'", spec.type, slot));
+      diagnostics_.error(spec.where, "{} needs a '{}'", spec.type, slot);
   }
 }
 
@@ -377,9 +368,9 @@ bool NodeReader::refuse_nodes_as_keys(const NodeSpec& spec) {
   for (const auto& entry : spec.body->entries) {
     if (!registry_.find(entry.key))
       continue;
-    error(entry.where, fmt::format("{} is a node, not a parameter of {}; write children as a "
-                                   "list: {}: [{}, ...]",
-                                   quote(entry.key), spec.type, spec.type, entry.key));
+    diagnostics_.error(
+        entry.where, "{} is a node, not a parameter of {}; write children as a list: {}: [{}, ...]",
+        quote(entry.key), spec.type, spec.type, entry.key);
     return false;
   }
   return true;

@@ -63,12 +63,10 @@ std::optional<AnyTree> AnyRegistry::build(const std::string& name, const Value& 
       bytes += self(self, *child);
     return bytes;
   };
-  if (const std::size_t bytes = total_memory(total_memory, *root); bytes > kMaxMemory) {
-    diagnostics.error(value.where, fmt::format("tree {} needs {} bytes of memory per agent, the "
-                                               "most is {}",
-                                               quote(name), bytes, kMaxMemory));
-    return std::nullopt;
-  }
+  if (const std::size_t bytes = total_memory(total_memory, *root); bytes > kMaxMemory)
+    return diagnostics.error(value.where,
+                             "tree {} needs {} bytes of memory per agent, the most is {}",
+                             quote(name), bytes, kMaxMemory);
   try {
     return AnyTree(name, std::move(root));
   } catch (const std::bad_alloc&) {  // nobody's mistake

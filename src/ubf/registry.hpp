@@ -125,8 +125,8 @@ class NodeReader {
   }
 
   [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
-  void error(const Location& where, std::string message) {
-    diagnostics_.error(where, std::move(message));
+  std::nullopt_t error(const Location& where, std::string message) {
+    return diagnostics_.error(where, std::move(message));
   }
 
  private:

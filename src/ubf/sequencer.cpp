@@ -46,8 +46,8 @@ class Reading {
       return true;
     }
     if (trees->entries.size() > kMostTrees) {
-      diagnostics_.error(trees->where, fmt::format("{} trees; a sequencer has at most {}",
-                                                   trees->entries.size(), kMostTrees));
+      diagnostics_.error(trees->where, "{} trees; a sequencer has at most {}",
+                         trees->entries.size(), kMostTrees);
       return false;
     }
     for (const Value::Entry& entry : trees->entries) {
@@ -72,8 +72,8 @@ class Reading {
     if (!transitions || transitions->is_null())
       return;
     if (!transitions->is_list()) {
-      diagnostics_.error(transitions->where,
-                         fmt::format("transitions: expected a list, got {}", transitions->shown()));
+      diagnostics_.error(transitions->where, "transitions: expected a list, got {}",
+                         transitions->shown());
       return;
     }
     for (const Value& item : transitions->items)
@@ -93,7 +93,7 @@ class Reading {
         link.from == kAny ? kNone : find(link.from, item.find("from")->where);
     const std::uint16_t to = find(link.to, item.find("to")->where);
     if (link.from == link.to)
-      diagnostics_.error(item.where, fmt::format("a transition from {} to itself", quote(link.to)));
+      diagnostics_.error(item.where, "a transition from {} to itself", quote(link.to));
     result_.transitions.push_back({from, to, when});
   }
   [[nodiscard]] std::uint16_t find(const std::string& name, const Location& where) {
@@ -101,11 +101,9 @@ class Reading {
     for (std::size_t i = 0; i < trees.size(); ++i)
       if (trees[i].first == name)
         return static_cast<std::uint16_t>(i);
-    std::vector<std::string> names;
-    for (const auto& tree : trees)
-      names.push_back(tree.first);
-    diagnostics_.error(where, fmt::format("the sequencer has no tree {}{}", quote(name),
-                                          did_you_mean(name, names)));
+    const auto name_of = [](const auto& tree) { return tree.first; };
+    diagnostics_.error(where, "the sequencer has no tree {}{}", quote(name),
+                       did_you_mean(name, listed(trees, name_of)));
     return 0;
   }
   void refuse_unreachable() {
@@ -115,8 +113,8 @@ class Reading {
     for (std::size_t i = 0; i < reached.size(); ++i)
       if (!reached[i])
         diagnostics_.error(trees->entries[i].where,
-                           fmt::format("tree {} can never be entered: no transition leads to it",
-                                       quote(result_.trees[i].first)));
+                           "tree {} can never be entered: no transition leads to it",
+                           quote(result_.trees[i].first));
   }
 
   const NodeSpec& spec_;

@@ -118,7 +118,7 @@ class Sequencer final : public WithMemory<Control<State, Action>, SequencerMemor
       if (!is_tree(rule.to) || rule.from == rule.to || (rule.from != kNone && !is_tree(rule.from)))
         return "a transition leads from one tree of the sequencer to another";
     const std::vector<bool> reached = entered(tree_count_, rules_, start_);
-    if (const auto never = std::find(reached.begin(), reached.end(), false); never != reached.end())
+    if (const auto never = std::ranges::find(reached, false); never != reached.end())
       return fmt::format("no transition leads to tree {}, counted from 0", never - reached.begin());
     return Base::problem();
   }

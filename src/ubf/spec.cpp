@@ -13,9 +13,8 @@ const Value kNothing;
 
 void refuse(const Value& value, Diagnostics& diagnostics) {
   diagnostics.error(value.where,
-                    fmt::format("expected a node, such as 'navigate' or {{navigate: {{...}}}}, "
-                                "got {}",
-                                value.shown()));
+                    "expected a node, such as 'navigate' or {{navigate: {{...}}}}, got {}",
+                    value.shown());
 }
 
 struct Argument {
@@ -24,13 +23,6 @@ struct Argument {
   bool used = false;
 };
 using Arguments = std::map<std::string, Argument, std::less<>>;
-
-std::vector<std::string> names_of(const Arguments& arguments) {
-  std::vector<std::string> names;
-  for (const auto& [name, argument] : arguments)
-    names.push_back(name);
-  return names;
-}
 
 /// The part of a tree that is a tree: all of it, if it has no parameters.
 const Value& root_of(const Value& tree) {
@@ -82,8 +74,8 @@ class Filling {
         return found->is_default;
       }
       if (argument && !argument->is_scalar())
-        diagnostics_.error(value.where, fmt::format("'${}' is {}: it cannot be a piece of a text",
-                                                    name, argument->shown()));
+        diagnostics_.error(value.where, "'${}' is {}: it cannot be a piece of a text", name,
+                           argument->shown());
       else if (argument)
         value.text += argument->text;
       at = end;
@@ -99,9 +91,8 @@ class Filling {
       if (!tag.empty())
         value.tag = std::move(tag);
     } else if (!full_)
-      diagnostics_.error(value.where, fmt::format("the arguments of tree {} make it larger than {} "
-                                                  "values",
-                                                  quote(tree_), kMostCopied));
+      diagnostics_.error(value.where, "the arguments of tree {} make it larger than {} values",
+                         quote(tree_), kMostCopied);
     full_ = copied_ > kMostCopied;
   }
   static std::size_t size(const Value& value) {
@@ -115,9 +106,8 @@ class Filling {
   const Argument* find(const Location& where, std::string_view name) {
     const auto found = arguments_.find(name);
     if (found == arguments_.end()) {
-      diagnostics_.error(where,
-                         fmt::format("tree {} has no parameter {}{}", quote(tree_), quote(name),
-                                     nearest_or_all(name, names_of(arguments_))));
+      diagnostics_.error(where, "tree {} has no parameter {}{}", quote(tree_), quote(name),
+                         nearest_or_all(name, listed(arguments_, &Arguments::value_type::first)));
       return nullptr;
     }
     found->second.used = true;
@@ -141,23 +131,21 @@ Arguments declared(std::string_view name, const Value& tree, Diagnostics& diagno
     return arguments;
   for (const Value::Entry& e : tree.entries)
     if (e.key != kParametersKey && e.key != kRootKey)
-      diagnostics.error(e.where, fmt::format("a tree with parameters has 'parameters' and 'root', "
-                                             "got {}",
-                                             quote(e.key)));
+      diagnostics.error(e.where, "a tree with parameters has 'parameters' and 'root', got {}",
+                        quote(e.key));
   if (!tree.find(kRootKey))
-    diagnostics.error(tree.where, fmt::format("tree {} has parameters but no 'root'", quote(name)));
+    diagnostics.error(tree.where, "tree {} has parameters but no 'root'", quote(name));
   if (!parameters->is_map())
     diagnostics.error(parameters->where, "parameters: expected a map from names to defaults, got " +
                                              parameters->shown());
   for (const Value::Entry& e : parameters->entries) {
-    if (e.key.empty() || !std::all_of(e.key.begin(), e.key.end(), is_name))
-      diagnostics.error(e.where, fmt::format("{} is no name of a parameter: use letters, digits "
-                                             "and '_'",
-                                             quote(e.key)));
+    if (e.key.empty() || !std::ranges::all_of(e.key, is_name))
+      diagnostics.error(e.where, "{} is no name of a parameter: use letters, digits and '_'",
+                        quote(e.key));
     else if (e.key == kFieldsKey)
-      diagnostics.error(e.where,
-                        "a parameter cannot be called 'fields': a reference renames "
-                        "state fields under that key");
+      diagnostics.error(
+          e.where,
+          "a parameter cannot be called 'fields': a reference renames state fields under that key");
     else
       arguments.emplace(e.key, Argument{e.value.is_null() ? nullptr : &e.value});
   }
@@ -172,9 +160,8 @@ std::optional<Value> filled(std::string_view name, const Value& tree, Arguments&
   Filling(name, arguments, diagnostics).fill(root);
   for (const auto& [parameter, argument] : arguments)
     if (!argument.used && diagnostics.count() == before)
-      diagnostics.error(
-          tree.find(kParametersKey)->find_entry(parameter)->where,
-          fmt::format("tree {} never uses its parameter {}", quote(name), quote(parameter)));
+      diagnostics.error(tree.find(kParametersKey)->find_entry(parameter)->where,
+                        "tree {} never uses its parameter {}", quote(name), quote(parameter));
   if (diagnostics.count() != before)
     return std::nullopt;
   return root;
@@ -183,17 +170,16 @@ std::optional<Value> filled(std::string_view name, const Value& tree, Arguments&
 std::vector<FieldRename> read_renames(const Value& value, Diagnostics& diagnostics) {
   std::vector<FieldRename> renames;
   if (!value.is_map()) {
-    diagnostics.error(value.where,
-                      "fields: expected a map from the tree's names of state fields to the "
-                      "platform's, got " +
-                          value.shown());
+    diagnostics.error(
+        value.where,
+        "fields: expected a map from the tree's names of state fields to the platform's, got " +
+            value.shown());
     return renames;
   }
   for (const Value::Entry& e : value.entries) {
     if (!e.value.is_scalar())
-      diagnostics.error(e.value.where,
-                        fmt::format("fields: {}: expected the name of a state field, got {}",
-                                    quote(e.key), e.value.shown()));
+      diagnostics.error(e.value.where, "fields: {}: expected the name of a state field, got {}",
+                        quote(e.key), e.value.shown());
     else
       renames.push_back({e.key, e.value.text});
   }
@@ -223,12 +209,10 @@ std::optional<NodeSpec> read_spec(const Value& value, Diagnostics& diagnostics) 
   }
   if (value.entries.size() > 1) {
     // most often the parameters are not indented far enough
-    diagnostics.error(
-        value.entries[1].where,
-        fmt::format("a node is one name with its parameters below it, but beside {} there is {}; "
-                    "a parameter must be indented further than its node",
-                    quote(value.entries[0].key), quote(value.entries[1].key)));
-    return std::nullopt;
+    return diagnostics.error(value.entries[1].where,
+                             "a node is one name with its parameters below it, but beside {} there "
+                             "is {}; a parameter must be indented further than its node",
+                             quote(value.entries[0].key), quote(value.entries[1].key));
   }
   const Value::Entry& only = value.entries.front();
   return NodeSpec{only.key, only.where, &only.value};
@@ -251,7 +235,7 @@ std::string read_label(const Value& body, Diagnostics& diagnostics) {
   if (!label)
     return {};
   if (!label->is_scalar()) {
-    diagnostics.error(label->where, fmt::format("name: expected a text, got {}", label->shown()));
+    diagnostics.error(label->where, "name: expected a text, got {}", label->shown());
     return {};
   }
   if (const auto problem = label_problem(label->text)) {
@@ -265,22 +249,17 @@ std::optional<Reference> read_reference(const Value& body, const Location& where
                                         Diagnostics& diagnostics) {
   if (body.is_scalar())
     return Reference{body.text, body.where, {}, {}, {}};
-  if (!body.is_map() || body.entries.size() != 1) {
-    diagnostics.error(where,
-                      "a reference names its tree, as in {tree: ingress}, or with arguments "
-                      "{tree: {ingress: {vote: 40}}}");
-    return std::nullopt;
-  }
+  if (!body.is_map() || body.entries.size() != 1)
+    return diagnostics.error(where,
+                             "a reference names its tree, as in {tree: ingress}, or with arguments "
+                             "{tree: {ingress: {vote: 40}}}");
   const Value::Entry& only = body.entries.front();
   Reference reference{only.key, only.where, {}, {}, {}};
   if (only.value.is_null())
     return reference;
-  if (!only.value.is_map()) {
-    diagnostics.error(only.value.where,
-                      fmt::format("tree {}: expected its arguments as a map, got {}",
-                                  quote(only.key), only.value.shown()));
-    return std::nullopt;
-  }
+  if (!only.value.is_map())
+    return diagnostics.error(only.value.where, "tree {}: expected its arguments as a map, got {}",
+                             quote(only.key), only.value.shown());
   const std::size_t before = diagnostics.count();
   for (const Value::Entry& e : only.value.entries) {
     if (e.key == kFieldsKey) {
@@ -297,8 +276,8 @@ std::optional<Reference> read_reference(const Value& body, const Location& where
 
 bool needs_arguments(const Value& tree) {
   const Value* parameters = tree.find(kParametersKey);
-  return parameters && std::any_of(parameters->entries.begin(), parameters->entries.end(),
-                                   [](const Value::Entry& e) { return e.value.is_null(); });
+  return parameters && std::ranges::any_of(parameters->entries,
+                                           [](const Value::Entry& e) { return e.value.is_null(); });
 }
 
 void check_parameters(std::string_view name, const Value& tree, Diagnostics& diagnostics) {
@@ -320,16 +299,14 @@ std::optional<Value> instantiate(std::string_view name, const Value& tree,
   for (const Value::Entry* e : given) {
     const auto parameter = arguments.find(e->key);
     if (parameter == arguments.end())
-      diagnostics.error(e->where,
-                        fmt::format("tree {} has no parameter {}{}", quote(name), quote(e->key),
-                                    nearest_or_all(e->key, names_of(arguments))));
+      diagnostics.error(e->where, "tree {} has no parameter {}{}", quote(name), quote(e->key),
+                        nearest_or_all(e->key, listed(arguments, &Arguments::value_type::first)));
     else
       parameter->second = {.value = &e->value, .is_default = false};
   }
   for (const auto& [parameter, argument] : arguments)
     if (!argument.value)
-      diagnostics.error(
-          where, fmt::format("tree {} needs the argument {}", quote(name), quote(parameter)));
+      diagnostics.error(where, "tree {} needs the argument {}", quote(name), quote(parameter));
   if (diagnostics.count() != before)
     return std::nullopt;
   return filled(name, tree, arguments, diagnostics);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/state_fields.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/diagnostics.hpp"
@@ -13,8 +11,7 @@ namespace eyrie::ubf {
 std::string_view FieldNames::meant(std::string_view name) {
   std::string_view wanted = name;
   for (auto layer = renames_.rbegin(); layer != renames_.rend(); ++layer) {
-    const auto rename = std::find_if(layer->begin(), layer->end(),
-                                     [&](const FieldRename& r) { return r.from == wanted; });
+    const auto rename = std::ranges::find(*layer, wanted, &FieldRename::from);
     if (rename == layer->end())
       continue;
     rename->used = true;
@@ -24,16 +21,12 @@ std::string_view FieldNames::meant(std::string_view name) {
 }
 
 std::size_t FieldNames::find(std::span<const StateFieldInfo> fields, std::string_view name) {
-  const std::string_view wanted = meant(name);
-  const auto field = std::find_if(fields.begin(), fields.end(),
-                                  [&](const StateFieldInfo& f) { return f.name == wanted; });
+  const auto field = std::ranges::find(fields, meant(name), &StateFieldInfo::name);
   return static_cast<std::size_t>(field - fields.begin());
 }
 
 std::string FieldNames::unknown(std::span<const StateFieldInfo> fields, std::string_view name) {
-  std::vector<std::string> names;
-  for (const StateFieldInfo& field : fields)
-    names.emplace_back(field.name);
+  std::vector<std::string> names = listed(fields, &StateFieldInfo::name);
   if (const std::string wanted(meant(name)); wanted != name)
     return fmt::format("{} means {} here, and there is no state field {}{}", quote(name),
                        quote(wanted), quote(wanted), did_you_mean(wanted, names));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/vote_curve.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/bind.hpp"
@@ -83,10 +81,10 @@ class VoteReading {
     }
     diagnostics_.error(
         list.where,
-        fmt::format("product: expected a list of 1 to {} considerations such as {{of: range, from: "
-                    "40 nmi, to: 10 nmi}}, got {}",
-                    VoteCurve::kMost,
-                    list.is_list() ? fmt::format("{} of them", list.items.size()) : list.shown()));
+        "product: expected a list of 1 to {} considerations such as {{of: range, from: 40 nmi, to: "
+        "10 nmi}}, got {}",
+        VoteCurve::kMost,
+        list.is_list() ? fmt::format("{} of them", list.items.size()) : list.shown());
   }
   /// `whole`: the map is the vote itself.
   void read_one(const Value& map, bool whole, VoteCurve& vote) {
@@ -104,9 +102,9 @@ class VoteReading {
     }
     const Written said = bind(map, field, names, also);
     if (field && !has_ends)
-      diagnostics_.error(of->where, fmt::format("of: {} is one of several names; a vote follows a "
-                                                "number or a flag",
-                                                quote(field->name)));
+      diagnostics_.error(of->where,
+                         "of: {} is one of several names; a vote follows a number or a flag",
+                         quote(field->name));
     else if (said.from == said.to && diagnostics_.count() == before)
       diagnostics_.error(map.where, "'from' and 'to' are the same");
     vote.least = whole ? said.least : vote.least;

@@ -10,7 +10,6 @@
 #include "debrief/decision.hpp"
 #include "page/decisions.hpp"
 #include "page/page.hpp"
-#include "page/page_data.hpp"
 #include "support/packed.hpp"
 #include "support/recorded.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dis/pdu.hpp"
-#include "net/datagram_sender.hpp"
+#include "net/datagrams.hpp"
 #include "support/live_viewer.hpp"
 #include "support/served.hpp"
 

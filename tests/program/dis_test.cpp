@@ -58,7 +58,7 @@ TEST(DisProgram, ReachesAGroupAsAnotherStation) {
   flown(folder, "run", {"--real-time", "max", "--dis", to, "--dis-station", "9.8.7"});
   const std::string first = listener.next().value_or("");
   const dis::Decoded read = dis::decode(std::as_bytes(std::span(first.data(), first.size())));
-  ASSERT_EQ(read.refusal, dis::Refusal::none);
+  ASSERT_EQ(read.refusal, std::nullopt);
   EXPECT_EQ(read.packet.exercise, 9);
   EXPECT_EQ(std::get<dis::StartResume>(read.packet.pdu).from, (dis::EntityId{8, 7, 0}));
 }

@@ -12,7 +12,6 @@
 #include "support/program.hpp"
 #include "support/recorded.hpp"
 #include "tables/csv_files.hpp"
-#include "tables/database.hpp"
 #include "tables/schema.hpp"
 
 namespace eyrie::test {

@@ -59,21 +59,14 @@ void list_field(const Spec& spec, const std::string& name, const ActionFieldInfo
                              fmt::format("{}.{}.", name, field.name), values);
 }
 
-std::vector<std::string_view> names_of(ActionFields fields) {
-  std::vector<std::string_view> names;
-  for (const ActionFieldInfo& field : fields)
-    names.push_back(field.name);
-  return names;
-}
 /// The index of a field, or their number.
 std::size_t find(ActionFields fields, std::string_view name) {
-  const auto found =
-      std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
+  const auto found = std::ranges::find(fields, name, &ActionFieldInfo::name);
   return static_cast<std::size_t>(found - fields.begin());
 }
 std::string unknown(ActionFields fields, std::string_view name) {
   return fmt::format("an action has no field {}{}", quote(name),
-                     did_you_mean(name, names_of(fields)));
+                     did_you_mean(name, listed(fields, &ActionFieldInfo::name)));
 }
 
 std::string problem_with(const ActionFieldInfo& field, std::optional<double> min,
@@ -120,8 +113,8 @@ template <class Spec, class Add>
 void read_fields(ActionFields fields, const Value& value, Diagnostics& diagnostics,
                  const ParamInfo& info, std::string_view what, Add add) {
   if (!value.is_map()) {
-    diagnostics.error(value.where, fmt::format("{}: expected a map from fields to {}, got {}",
-                                               info.name, what, value.shown()));
+    diagnostics.error(value.where, "{}: expected a map from fields to {}, got {}", info.name, what,
+                      value.shown());
     return;
   }
   for (const Value::Entry& e : value.entries) {
@@ -151,8 +144,7 @@ std::string AnyBounds::set(std::string_view name, std::optional<double> min,
     return problem;
   std::erase_if(limits_, [&](const Limits& l) { return l.field == field; });
   limits_.push_back({field, min, max, fmt::format("refused: {} is out of bounds", name)});
-  std::sort(limits_.begin(), limits_.end(),
-            [](const Limits& a, const Limits& b) { return a.field < b.field; });
+  std::ranges::sort(limits_, [](const Limits& a, const Limits& b) { return a.field < b.field; });
   return {};
 }
 
@@ -180,7 +172,7 @@ std::size_t AnyGrid::size() const {
 }
 
 bool AnyGrid::has(std::size_t field) const {
-  return std::any_of(axes_.begin(), axes_.end(), [&](const Axis& a) { return a.field == field; });
+  return std::ranges::any_of(axes_, [&](const Axis& a) { return a.field == field; });
 }
 
 std::string AnyGrid::add(std::string_view name, double from, double to, std::size_t steps,
@@ -261,10 +253,8 @@ void bind_value(AnyFieldChoice& out, const Value& value, Diagnostics& diagnostic
                 const ParamInfo& info) {
   if (value.is_scalar() && out.choose(value.text))
     return;
-  diagnostics.error(
-      value.where,
-      fmt::format("{}: {} is no field that can be chosen here{}", info.name, value.shown(),
-                  did_you_mean(value.is_scalar() ? value.text : "", out.names())));
+  diagnostics.error(value.where, "{}: {} is no field that can be chosen here{}", info.name,
+                    value.shown(), did_you_mean(value.is_scalar() ? value.text : "", out.names()));
 }
 
 void describe_value(ParamInfo& info, const AnyBounds&) {

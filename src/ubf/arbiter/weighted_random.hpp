@@ -25,8 +25,7 @@ class WeightedRandom final : public WithMemory<Arbiter<State, Action>, WeightedR
  public:
   static constexpr std::string_view type_name = "weighted_random";
   static constexpr std::string_view help =
-      "a proposal drawn at random, the more likely the higher "
-      "its vote";
+      "a proposal drawn at random, the more likely the higher its vote";
   [[nodiscard]] static constexpr auto params() {
     return WeightedRandom::with_vote(param("keep", &WeightedRandom::keep, "s", range(0, 1e6),
                                            "how long a draw stands; 0: draws in every tick"));

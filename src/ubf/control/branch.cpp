@@ -11,18 +11,16 @@ std::optional<double> value_of(const StateFieldInfo& field, const Value::Entry& 
     const Parsed parsed = parse_quantity(e.key, field.unit.dimension);
     if (parsed)
       return parsed.value;
-    reader.error(e.where, fmt::format("{}: {}", field.name, parsed.error));
-    return std::nullopt;
+    return reader.diagnostics().error(e.where, "{}: {}", field.name, parsed.error);
   }
   static constexpr std::array<std::string_view, 2> kTruth{"false", "true"};
   const std::span<const std::string_view> choices =
       field.kind == FieldKind::flag ? std::span<const std::string_view>(kTruth) : field.choices;
-  const auto choice = std::find(choices.begin(), choices.end(), e.key);
+  const auto choice = std::ranges::find(choices, e.key);
   if (choice != choices.end())
     return static_cast<double>(choice - choices.begin());
-  reader.error(e.where, fmt::format("{} is never {}{}", quote(field.name), quote(e.key),
-                                    did_you_mean(e.key, choices)));
-  return std::nullopt;
+  return reader.diagnostics().error(e.where, "{} is never {}{}", quote(field.name), quote(e.key),
+                                    did_you_mean(e.key, choices));
 }
 
 }  // namespace
@@ -34,15 +32,15 @@ SwitchSpec read_switch(const NodeSpec& spec, NodeReader& reader) {
     read.field = reader.field(*name);
   const Value* cases = spec.body->find("cases");
   if (!cases || !cases->is_map() || cases->entries.empty()) {
-    reader.error(cases ? cases->where : spec.where,
-                 "switch needs 'cases', a map from values to nodes");
+    reader.diagnostics().error(cases ? cases->where : spec.where,
+                               "switch needs 'cases', a map from values to nodes");
     return read;
   }
   for (const Value::Entry& e : cases->entries) {
     if (read.field)
       if (const auto value = value_of(reader.info(*read.field), e, reader)) {
-        if (std::find(read.values.begin(), read.values.end(), *value) != read.values.end())
-          reader.error(e.where, fmt::format("there are two cases {}", quote(e.key)));
+        if (std::ranges::find(read.values, *value) != read.values.end())
+          reader.diagnostics().error(e.where, "there are two cases {}", quote(e.key));
         read.values.push_back(*value);
       }
     if (auto child = reader.read(e.value))

@@ -135,14 +135,13 @@ class Switch final : public Branching<State, Action, 0> {
     const std::size_t count = this->children_.size();
     if (count != values_.size() && count != values_.size() + 1)
       return fmt::format(
-          "a switch has a child per value, and perhaps one more, but here are {} "
-          "for {} values",
+          "a switch has a child per value, and perhaps one more, but here are {} for {} values",
           count, values_.size());
     return Control<State, Action>::problem();
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    const auto value = std::find(values_.begin(), values_.end(), read_(t.state));
+    const auto value = std::ranges::find(values_, read_(t.state));
     return this->turn_to(static_cast<std::size_t>(value - values_.begin()) + 1, t, out);
   }
 

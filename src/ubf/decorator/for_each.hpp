@@ -87,15 +87,13 @@ class ForEach final : public Decorator<State, Action> {
   /// From a file.
   void read(const NodeSpec& spec, NodeReader& reader) {
     const Value* name = spec.body->find("over");
-    std::vector<std::string_view> names;
-    for (const StateList<State>& list : StateLists<State>::all()) {
-      names.push_back(list.name);
+    const auto& lists = StateLists<State>::all();
+    for (const StateList<State>& list : lists)
       if (list.name == over)
         go_over(list);
-    }
     if (!list_ && name && name->is_scalar())
-      reader.error(name->where, fmt::format("the state has no list {}{}", quote(over),
-                                            did_you_mean(over, names)));
+      reader.diagnostics().error(name->where, "the state has no list {}{}", quote(over),
+                                 did_you_mean(over, listed(lists, &StateList<State>::name)));
   }
 
  private:

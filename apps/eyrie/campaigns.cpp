@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "campaign_source.hpp"
+#include "campaigns.hpp"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "campaign/again.hpp"
+#include "campaign/store.hpp"
+#include "command.hpp"
 #include "commands.hpp"
 #include "core/hash.hpp"
+#include "core/text.hpp"
 #include "locate.hpp"
+#include "page/page.hpp"
 #include "scenario/plugin_file.hpp"
 
 namespace eyrie::app {
@@ -22,14 +28,14 @@ void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
     const auto same = [&](const std::string& other) {
       return fs::equivalent(plugin, other, ignored);
     };
-    if (std::any_of(typed.begin(), typed.end(), same))
+    if (std::ranges::any_of(typed, same))
       continue;
     const disk::FileRead read = scenario::read_plugin_file(plugin);
     const std::string why =
         scenario::refusal(trusted(), fs::weakly_canonical(plugin, ignored).string(), read.bytes);
     if (read.problem.empty() && !why.empty())
-      throw ConfigError(spec.plugins_where[i], fmt::format("plug-in {}: {}", quote_path(plugin),
-                                                           scenario::not_opened(why, plugin)));
+      throw ConfigError(spec.plugins_where[i], "plug-in {}: {}", quote_path(plugin),
+                        scenario::not_opened(why, plugin));
   }
 }
 
@@ -76,6 +82,36 @@ campaign::Load CampaignSource::load() const {
     return scenario::load(
         {.file = scenario_, .sets = sets, .plugins = plugins_, .may_open = trusted()}, files());
   };
+}
+
+CampaignDebrief campaign_debrief(const std::string& folder,
+                                 const std::vector<std::string>& plugins) {
+  const auto none = [](std::string problem) { return CampaignDebrief{{}, std::move(problem)}; };
+  const disk::FileRead shell = read_page(viewer_file(), "the debrief page was not built");
+  if (!shell.problem.empty())
+    return none(shell.problem);
+  if (!page::has_engine(shell.bytes))
+    return none("the debrief page was built without its engine");
+  try {
+    campaign::Database database = campaign::open_results(folder);
+    campaign::Again again(database, plugins, 1);
+    const auto sets = again.sets();
+    if (sets.empty() || !again.scenario(0)->plugins.empty())
+      return none("it needs plug-ins, which a page cannot open");
+    nlohmann::ordered_json texts{{"scenario", again.file()}, {"sets", sets}};
+    for (const auto& [name, text] : again.files())
+      if (name != campaign::kCampaignText && name != campaign::kProgramText)
+        texts["files"][name] = text;
+    const std::array parts{
+        page::part_of("campaign",
+                      texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)),
+        page::part_of("zones", launch_zones())};
+    return {base64(page::deflated(page::page_with(shell.bytes, parts))), {}};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    return none(words_for(e));
+  }
 }
 
 }  // namespace eyrie::app
