@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "core/diagnostics.hpp"
+#include "core/text.hpp"
 #include "disk/file_system.hpp"
 #include "disk/temporary.hpp"
 #include "say.hpp"
@@ -146,8 +147,7 @@ void finish(disk::OutputFile& out) {
   if (interrupted())
     throw disk::Failed("interrupted, nothing was written");
   out.commit();
-  say("written to {}, {:.1f} MB\n", out.sink().path(),
-      static_cast<double>(out.sink().size()) / 1e6);
+  say("written to {}, {}\n", out.sink().path(), size_text(out.sink().size()));
 }
 
 void finish(disk::OutputFolder& folder, const std::map<std::string, std::string>& files) {

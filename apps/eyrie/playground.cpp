@@ -85,8 +85,8 @@ int playground(const PlaygroundOptions& options) {
   if (page.empty())
     throw disk::Failed("{} is no playground of this version; build it again", playground_file());
   finish(folder, {{kPage, page}, {kSign, std::string(kAbout)}});
-  say("written to {}: open {}/{} in a browser, {:.1f} MB\n", folder.path(), folder.path(), kPage,
-      static_cast<double>(page.size()) / 1e6);
+  say("written to {}: open {}/{} in a browser, {}\n", folder.path(), folder.path(), kPage,
+      size_text(page.size()));
   return 0;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/hash.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "debrief/what_if.hpp"
 #include "disk/file_system.hpp"
@@ -200,11 +201,11 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
   if (timing.pacing && timing.pacing->frames() > 0)
     say("{}", Composed{pacing_text(timing)});
   if (const auto& t = timing.tacview)
-    say("Tacview: {}, {} refused, {} dropped as too slow, {:.1f} MB sent\n",
-        counted(t->joined, "client"), t->refused, t->dropped, static_cast<double>(t->bytes) / 1e6);
+    say("Tacview: {}, {} refused, {} dropped as too slow, {} sent\n", counted(t->joined, "client"),
+        t->refused, t->dropped, size_text(t->bytes));
   if (const auto& d = timing.dis) {
-    say("DIS: {} sent, {:.0f} kB, {} dropped{}\n", counted(d->sent.sent, "packet"),
-        static_cast<double>(d->sent.bytes) / 1e3, d->sent.dropped,
+    say("DIS: {} sent, {}, {} dropped{}\n", counted(d->sent.sent, "packet"),
+        size_text(d->sent.bytes), d->sent.dropped,
         d->sent.failed ? fmt::format(", {} not taken by the system: {}", d->sent.failed,
                                      disk::words_of(d->sent.error))
                        : "");

@@ -171,6 +171,19 @@ std::string file_name_from(std::string_view text) {
   return name.empty() ? "run" : name;
 }
 
+std::string without_minus_zero(std::string number) {
+  if (number.starts_with('-') && number.find_first_not_of("-0.") == number.npos)
+    number.erase(0, 1);
+  return number;
+}
+
+std::string size_text(std::uint64_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  return bytes >= 1'000'000 ? fmt::format("{:.1f} MB", size / 1e6)
+         : bytes >= 1'000   ? fmt::format("{:.0f} kB", size / 1e3)
+                            : fmt::format("{} bytes", bytes);
+}
+
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

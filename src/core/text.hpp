@@ -4,6 +4,7 @@
 /// names that machines use and text that people read may hold.
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -87,6 +88,11 @@ inline constexpr std::size_t kLongestIdentifier = 64;
 /// others in a row become one '-'. It begins with a letter, a digit or '_', has at most
 /// kLongestIdentifier bytes, and is never empty.
 [[nodiscard]] std::string file_name_from(std::string_view text);
+
+/// The text of a number, without the minus of one that was rounded to 0.
+[[nodiscard]] std::string without_minus_zero(std::string number);
+/// "1.6 MB", "52 kB" or "120 bytes".
+[[nodiscard]] std::string size_text(std::uint64_t bytes);
 
 /// RFC 4648, with padding and without line ends.
 [[nodiscard]] std::string base64(std::string_view bytes);

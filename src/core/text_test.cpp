@@ -141,6 +141,16 @@ RC_GTEST_PROP(Printable, NeverHoldsWhatATerminalObeys, (const std::string& bytes
   RC_ASSERT(printable(shown) == shown);
 }
 
+TEST(Numbers, HaveNoMinusAsZeroAndSizesAUnit) {
+  EXPECT_EQ(without_minus_zero("-0.00"), "0.00");
+  EXPECT_EQ(without_minus_zero("-0"), "0");
+  EXPECT_EQ(without_minus_zero("-0.01"), "-0.01");
+  EXPECT_EQ(without_minus_zero("0.00"), "0.00");
+  EXPECT_EQ(size_text(999), "999 bytes");
+  EXPECT_EQ(size_text(51'600), "52 kB");
+  EXPECT_EQ(size_text(1'550'000), "1.6 MB");
+}
+
 TEST(Base64, IsThatOfRfc4648) {  // section 10
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");

@@ -95,7 +95,7 @@ void Sink::fail() {
 
 namespace {
 
-std::string size_text(std::size_t bytes) {
+std::string limit_text(std::size_t bytes) {
   constexpr std::size_t kKilo = 1024, kMega = kKilo * kKilo;
   return bytes % kMega == 0   ? fmt::format("{} MB", bytes / kMega)
          : bytes % kKilo == 0 ? fmt::format("{} kB", bytes / kKilo)
@@ -117,7 +117,7 @@ FileRead read_open(int file, std::size_t limit) {
   if (!S_ISREG(status.st_mode))
     return {.problem = fmt::format("is {}, not a file", kind_text(status.st_mode))};
   const std::string too_large =
-      fmt::format("is larger than {}, the most that is read", size_text(limit));
+      fmt::format("is larger than {}, the most that is read", limit_text(limit));
   const auto size = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
   if (size > limit)
     return {.problem = too_large};

@@ -40,10 +40,8 @@ constexpr double kSpeedStep = 0.5, kMachStep = 0.005, kLoadStep = 0.05,
                  kFuelStep = 5;  // m/s, -, g, kg
 constexpr float kVoteStep = 0.05F;
 
-/// Without the sign of a zero.
 std::string rounded(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  return text.find_first_not_of("-0.") == text.npos ? text.substr(text[0] == '-') : text;
+  return without_minus_zero(fmt::format("{:.{}f}", value, decimals));
 }
 
 /// What stands in the file follows what is, by no smaller steps.

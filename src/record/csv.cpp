@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/csv.hpp"
 
+#include <fmt/format.h>
+
 #include <iterator>
 
 #include "core/text.hpp"
@@ -53,7 +55,7 @@ void EventsCsv::observe(const sim::World&, const sim::StepInfo& info,
       if (i > 0)
         out_ += ',';
       if (const auto* number = std::get_if<double>(&row[i]))
-        fmt::format_to(std::back_inserter(out_), fmt::runtime(event_columns()[i].format), *number);
+        out_ += without_minus_zero(fmt::format(fmt::runtime(event_columns()[i].format), *number));
       else if (const auto* text = std::get_if<std::string>(&row[i]))
         out_ += csv_text(*text);
     }

@@ -49,6 +49,7 @@ std::optional<Fault> NumberCheck::find(const World& world) const {
     const auto bytes = world.column_bytes(words.column);
     for (std::size_t at = 0; at < bytes.size(); at += column.stride) {
       std::uint32_t beyond = 0;
+#pragma GCC unroll 4
       for (std::size_t i = 0; i < words.mask.size(); ++i) {
         std::uint32_t bits;
         std::memcpy(&bits, bytes.data() + at + i * sizeof bits, sizeof bits);

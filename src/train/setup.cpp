@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file  From a task to environments: who learns, what an action is, against whom.
+#include <unistd.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -12,6 +14,15 @@ namespace {
 
 /// Environments are cut into so many runs per worker, so that none waits long for another.
 constexpr std::size_t kLanesPerWorker = 4;
+
+/// Refuses what would make the system end the program on the way.
+void check_memory(std::size_t envs, double bytes) {
+  const double there =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (bytes > there)
+    refuse(fmt::format("{} environments need {:.0f} GB, this machine has {:.0f} GB", envs,
+                       bytes / 1e9, there / 1e9));
+}
 
 }  // namespace
 
@@ -53,6 +64,11 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
       static_cast<std::size_t>(scenario_->spec.until / seconds_ + 2) * learners_.size();
   room_ = scenario_->orders.size() + choices_.size() +
           decisions * (task_.votes ? action_names_.size() : 1);
+  const double worlds =
+                   static_cast<double>(options_.envs * scenario_->simulation->schema().bytes()),
+               episodes = static_cast<double>(std::min(options_.envs, options_.keep_episodes) * 2 *
+                                              room_ * sizeof(sim::Order));
+  check_memory(options_.envs, worlds + episodes);
   for (std::size_t env = 0; env < options_.envs; ++env)
     slots_.emplace_back(*scenario_, learners_.size(), task_.votes ? action_names_.size() : 0,
                         env < options_.keep_episodes ? room_ : 0);

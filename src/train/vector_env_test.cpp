@@ -231,6 +231,28 @@ TEST(VectorEnv, WritesEpisodesThatFlyAgainToTheSameWorld) {
   }
 }
 
+TEST(VectorEnv, EndsEachOfManyEpisodesAsAMissionEnds) {
+  constexpr std::size_t kEnvs = 6;
+  Trainer t(task("merge"), {.envs = kEnvs, .seed = 5, .keep_episodes = kEnvs});
+  for (std::size_t compared = 0; compared < 2 * kEnvs;) {
+    t.step();
+    for (std::size_t env = 0; env < kEnvs; ++env) {
+      if (!t.over[env])
+        continue;
+      const record::RunFile run = t.env.episode(env, true);
+      const auto opened = debrief::open(run, "episode", {}, "test");
+      const auto& scenario = opened.recorded->scenario;
+      scenario::Mission mission(scenario, scenario->world(run.seed), scenario->spec.until, false);
+      for (const sim::Order& order : run.orders)
+        ASSERT_EQ(mission.run().submit(order), "");
+      mission.fly();
+      EXPECT_EQ(mission.outcome(), t.env.finished(env).outcome);
+      EXPECT_EQ(mission.run().world().step(), t.env.finished(env).steps);
+      ++compared;
+    }
+  }
+}
+
 TEST(VectorEnv, FliesAnActionInTheStepThatFollowsItsObservation) {
   Trainer t(brief("merge", 14), {.envs = 1, .seed = 3});
   for (int i = 0; i < 40; ++i)
@@ -279,6 +301,9 @@ TEST(VectorEnv, RefusesWhatCannotBeDoneBeforeAnythingChanges) {
   EXPECT_EQ(words([&] { t.env.step(t.actions, cut); }), "masks: 1 numbers, expected 48");
   EXPECT_EQ(t.env.world(1).hash(), hash);
   EXPECT_THROW(t.env.reset_one(2, 1, t.arrays()), std::invalid_argument);
+  const Options many{.envs = 1'000'000, .keep_episodes = 1'000'000};
+  EXPECT_TRUE(
+      words([&] { Trainer(task("merge"), many); }).starts_with("1000000 environments need "));
 
   // beyond the bounds is taken as the bound
   std::fill(t.actions.begin(), t.actions.end(), 1e30F);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/flight_system.hpp"
 
+#include <cstring>
+
 #include "model/events.hpp"
 #include "model/flight/abreast.hpp"
 #include "model/flight/collision.hpp"
@@ -10,6 +12,10 @@ namespace {
 
 std::size_t station_index(const weapon::Station& station) {
   return station.store * std::size_t{256} + station.count;
+}
+
+bool alike(const auto& a, const auto& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 }  // namespace
@@ -70,6 +76,9 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
   const double time = info.time();
 
   const Sky sky{library_->reference, library_->environment, time, info.dt};
+  const weapon::Stores* loaded =
+      nullptr;  // whose load is known; that of the next is often the same
+  Load load;
   constexpr std::size_t kAbreast = 4;
   for (std::size_t begin = chunk.begin, end; begin < chunk.end; begin = end) {
     end = std::min(begin + kAbreast, chunk.end);
@@ -93,7 +102,10 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
         dry |= f.ran_dry ? 1u << (i - begin) : 0;
         continue;
       }
-      f.load = load_of(stores[i]);
+      if (loaded == nullptr || !alike(loaded->stations, stores[i].stations))
+        load = load_of(stores[i]);
+      loaded = &stores[i];
+      f.load = load;
       f.tells_energy = sim::due(info.step + 1, ids[i], period_);
       rows_of[count++] = i - begin;
     }
