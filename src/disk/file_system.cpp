@@ -77,7 +77,7 @@ void cannot_make(const std::string& path, int error) {
   const std::string words = fmt::format("cannot make {}: {}", quote_path(path), words_of(error));
   if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG || error == ELOOP ||
       error == EINVAL || error == EACCES || error == EROFS)
-    throw Refused(words, error);
+    throw Refused(error, words);
   throw Failed(words);
 }
 

@@ -112,12 +112,12 @@ struct Failed : std::runtime_error {
 };
 /// The user's mistake: a place that is taken, that is none, or that may not be replaced.
 struct Refused : std::runtime_error {
-  explicit Refused(const std::string& words, int code = 0)
-      : std::runtime_error(words), error(code) {}
+  using std::runtime_error::runtime_error;
+  Refused(int code, const std::string& words) : std::runtime_error(words), error(code) {}
   template <class... T>
   requires(sizeof...(T) > 0) explicit Refused(fmt::format_string<T...> words, T&&... values)
       : Refused(fmt::format(words, std::forward<T>(values)...)) {}
-  int error;  ///< of errno; 0: of none, as where something is there
+  int error = 0;  ///< of errno; 0: of none, as where something is there
 };
 
 /// Throws that `path` cannot be made because of `error` of errno: Refused if there cannot be
