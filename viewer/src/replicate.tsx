@@ -7,7 +7,7 @@ import type { Run } from './run/run.ts';
 import { say_failure, seen, show_as_flown, type Opening } from './show.tsx';
 import { said_in } from './ui/link.ts';
 
-/** As apps/eyrie/campaign_debrief.cpp writes it. */
+/** As apps/eyrie/campaigns.cpp writes it. */
 interface Campaign {
   files: Record<string, string>;
   scenario: string;
