@@ -22,9 +22,8 @@ Destination::Destination(std::string path, Parents parents) : path_(std::move(pa
   before_ = slash == path_.npos ? "" : path_.substr(0, slash + 1);
   name_ = path_.substr(before_.size());
   if (name_.empty() || name_ == "." || name_ == ".." || path_ == "-")  // nor is it standard output
-    throw Refused(
-        fmt::format("{} is no place to write to: name something of its own", quote_path(path_)),
-        EINVAL);
+    throw Refused(EINVAL, fmt::format("{} is no place to write to: name something of its own",
+                                      quote_path(path_)));
   if (parents == Parents::are_made)
     make_parents();
   folder_ = Handle(
@@ -33,9 +32,8 @@ Destination::Destination(std::string path, Parents parents) : path_(std::move(pa
     return;
   const int error = errno;
   if (error == ENOENT)
-    throw Refused(fmt::format("cannot make {}: there is no folder {}", quote_path(path_),
-                              quote_path(before_.substr(0, before_.size() - 1))),
-                  error);
+    throw Refused(error, fmt::format("cannot make {}: there is no folder {}", quote_path(path_),
+                                     quote_path(before_.substr(0, before_.size() - 1))));
   cannot_make(path_, error);
 }
 

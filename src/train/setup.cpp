@@ -20,8 +20,8 @@ void check_memory(std::size_t envs, double bytes) {
   const double there =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (bytes > there)
-    refuse(fmt::format("{} environments need {:.0f} GB, this machine has {:.0f} GB", envs,
-                       bytes / 1e9, there / 1e9));
+    refuse("{} environments need {:.0f} GB, this machine has {:.0f} GB", envs, bytes / 1e9,
+           there / 1e9);
 }
 
 }  // namespace
