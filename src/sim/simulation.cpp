@@ -87,8 +87,8 @@ void Simulation::apply_orders(World& world, const StepInfo& info, Workspace& wor
 
 bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
                      Workspace& work) const {
-  for (const auto [system, table] : by_phase_[index_of(phase)]) {
-    const std::uint32_t rows = world.rows(table);
+  for (const System* system : by_phase_[index_of(phase)]) {
+    const std::uint32_t rows = world.rows(system->table());
     if (rows == 0)
       continue;
     if (work.check_) [[unlikely]]
@@ -121,7 +121,7 @@ bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
 }
 
 void Simulation::commit(World& world, const StepInfo& info, Workspace& work) const {
-  for (const auto [system, table] : by_phase_[index_of(Phase::commit)]) {
+  for (const System* system : by_phase_[index_of(Phase::commit)]) {
     if (work.check_) [[unlikely]]
       work.check_->begin(world);
     CommitContext context(world, work.emitted_);
@@ -151,7 +151,7 @@ void SimulationBuilder::add(std::unique_ptr<const System> system,
                      "a system needs a table of this schema");
   for (std::size_t i = 0; i < kPhases; ++i)
     if (phases[i])
-      simulation_->by_phase_[i].push_back({system.get(), table});
+      simulation_->by_phase_[i].push_back(system.get());
   for (const OrderKind kind : system->accepts()) {
     EYRIE_THROW_UNLESS(phases[index_of(Phase::orders)],
                        "a system that accepts orders must override apply_order");

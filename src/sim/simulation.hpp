@@ -90,11 +90,7 @@ class Simulation {
   std::shared_ptr<const Schema> schema_;
   double dt_;
   std::vector<std::unique_ptr<const System>> systems_;
-  struct Share {  ///< of a phase
-    const System* system;
-    TableId table;  ///< its own
-  };
-  std::array<std::vector<Share>, kPhases> by_phase_;
+  std::array<std::vector<const System*>, kPhases> by_phase_;
   std::vector<const System*> by_order_;  ///< index: kind
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/flight_system.hpp"
 
-#include <cstring>
-
 #include "model/events.hpp"
 #include "model/flight/abreast.hpp"
 #include "model/flight/collision.hpp"
@@ -12,10 +10,6 @@ namespace {
 
 std::size_t station_index(const weapon::Station& station) {
   return station.store * std::size_t{256} + station.count;
-}
-
-bool alike(const auto& a, const auto& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 }  // namespace
@@ -76,9 +70,6 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
   const double time = info.time();
 
   const Sky sky{library_->reference, library_->environment, time, info.dt};
-  const weapon::Stores* loaded =
-      nullptr;  // whose load is known; that of the next is often the same
-  Load load;
   constexpr std::size_t kAbreast = 4;
   for (std::size_t begin = chunk.begin, end; begin < chunk.end; begin = end) {
     end = std::min(begin + kAbreast, chunk.end);
@@ -102,10 +93,7 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
         dry |= f.ran_dry ? 1u << (i - begin) : 0;
         continue;
       }
-      if (loaded == nullptr || !alike(loaded->stations, stores[i].stations))
-        load = load_of(stores[i]);
-      loaded = &stores[i];
-      f.load = load;
+      f.load = load_of(stores[i]);
       f.tells_energy = sim::due(info.step + 1, ids[i], period_);
       rows_of[count++] = i - begin;
     }
