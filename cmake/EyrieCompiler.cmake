@@ -31,6 +31,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # sources compiled as one; ccache needs to see the macros of a precompiled header
   list(APPEND own_options -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
                           -Wno-subobject-linkage -fpch-preprocess)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    # rows are cleared and copied by vectors: `rep stos`, which GCC takes else, needs dozens of cycles to begin
+    foreach(of memset memcpy)
+      list(APPEND own_options -m${of}-strategy=vector_loop:1024:noalign,libcall:-1:noalign)
+    endforeach()
+  endif()
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   # std::stable_sort of libstdc++ 12 warns of itself

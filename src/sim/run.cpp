@@ -46,8 +46,8 @@ Run::Run(std::shared_ptr<const Simulation> simulation, World start, const RunOpt
       copy_(world_),
       steps_per_copy_(std::max<std::uint64_t>(options.steps_per_copy, 1)),
       numbers_(simulation_->schema()),
-      steps_per_check_(
-          static_cast<std::uint64_t>(std::clamp(std::nearbyint(1 / simulation_->dt()), 1.0, 1e9))) {
+      check_(
+          static_cast<std::uint32_t>(std::clamp(std::nearbyint(1 / simulation_->dt()), 1.0, 1e9))) {
   EYRIE_THROW_UNLESS(&world_.schema() == &simulation_->schema(),
                      "the world belongs to another simulation");
   if (options.paranoid_workers != 0)
@@ -98,7 +98,7 @@ std::span<const Event> Run::step() {
     end_with(*work_.fault());
     return {};
   }
-  if (world_.step() % steps_per_check_ == 0)
+  if (check_.divides(world_.step()))
     if (auto fault = numbers_.find(world_)) [[unlikely]] {
       fault->step = info.step;
       end_with(std::move(*fault));

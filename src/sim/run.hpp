@@ -94,7 +94,7 @@ class Run {
   World copy_;  ///< of world_, at most steps_per_copy_ older
   std::uint64_t steps_per_copy_;
   NumberCheck numbers_;
-  std::uint64_t steps_per_check_;  ///< in one simulated second
+  Every check_;  ///< in one simulated second
   std::optional<Fault> fault_;
 
   void end_with(Fault fault);

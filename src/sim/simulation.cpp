@@ -9,10 +9,10 @@ std::size_t index_of(Phase phase) {
   return static_cast<std::size_t>(phase);
 }
 
-std::uint32_t largest_capacity(const Schema& schema) {
-  std::uint32_t most = 0;
+std::size_t most_chunks(const Schema& schema) {
+  std::size_t most = 0;
   for (const TableInfo& table : schema.tables())
-    most = std::max(most, table.capacity);
+    most = std::max(most, chunk_count(table.capacity));
   return most;
 }
 
@@ -20,9 +20,8 @@ std::uint32_t largest_capacity(const Schema& schema) {
 
 Workspace::Workspace(const Simulation& simulation, unsigned workers, std::size_t room)
     : executor_(workers), emitted_(room), events_(4 * room) {
-  const std::size_t chunks = chunk_count(largest_capacity(simulation.schema()));
-  by_chunk_.reserve(chunks);
-  for (std::size_t i = 0; i < chunks; ++i)
+  by_chunk_.reserve(simulation.chunks_);
+  for (std::size_t i = 0; i < simulation.chunks_; ++i)
     by_chunk_.emplace_back(room);
 }
 
@@ -43,6 +42,9 @@ void Workspace::collect(std::size_t chunks) {
   }
 }
 
+Simulation::Simulation(std::shared_ptr<const Schema> schema, double dt)
+    : schema_(std::move(schema)), dt_(dt), chunks_(most_chunks(*schema_)) {}
+
 const System* Simulation::handler(OrderKind kind) const {
   return kind.value < by_order_.size() ? by_order_[kind.value] : nullptr;
 }
@@ -50,7 +52,7 @@ const System* Simulation::handler(OrderKind kind) const {
 std::span<const Event> Simulation::step(World& world, Workspace& work,
                                         std::span<const Order> orders) const {
   EYRIE_THROW_UNLESS(&world.schema() == schema_.get(), "the world belongs to another simulation");
-  EYRIE_THROW_UNLESS(work.by_chunk_.size() >= chunk_count(largest_capacity(*schema_)),
+  EYRIE_THROW_UNLESS(work.by_chunk_.size() >= chunks_,
                      "the workspace was made for another simulation");
   const StepInfo info{.step = world.step(), .seed = world.seed(), .dt = dt_};
   work.events_.clear();
@@ -87,8 +89,9 @@ void Simulation::apply_orders(World& world, const StepInfo& info, Workspace& wor
 
 bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
                      Workspace& work) const {
-  for (const System* system : by_phase_[index_of(phase)]) {
-    const std::uint32_t rows = world.rows(system->table());
+  for (const Turn& turn : by_phase_[index_of(phase)]) {
+    const System* system = turn.system;
+    const std::uint32_t rows = world.rows(turn.table);
     if (rows == 0)
       continue;
     if (work.check_) [[unlikely]]
@@ -121,7 +124,7 @@ bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
 }
 
 void Simulation::commit(World& world, const StepInfo& info, Workspace& work) const {
-  for (const System* system : by_phase_[index_of(Phase::commit)]) {
+  for (const auto& [system, table] : by_phase_[index_of(Phase::commit)]) {
     if (work.check_) [[unlikely]]
       work.check_->begin(world);
     CommitContext context(world, work.emitted_);
@@ -151,7 +154,7 @@ void SimulationBuilder::add(std::unique_ptr<const System> system,
                      "a system needs a table of this schema");
   for (std::size_t i = 0; i < kPhases; ++i)
     if (phases[i])
-      simulation_->by_phase_[i].push_back(system.get());
+      simulation_->by_phase_[i].push_back({system.get(), table});
   for (const OrderKind kind : system->accepts()) {
     EYRIE_THROW_UNLESS(phases[index_of(Phase::orders)],
                        "a system that accepts orders must override apply_order");

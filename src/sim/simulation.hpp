@@ -77,10 +77,10 @@ class Simulation {
 
  private:
   friend class SimulationBuilder;
+  friend class Workspace;
   using Part = void (System::*)(World&, const StepInfo&, Chunk, Outbox&) const;
 
-  Simulation(std::shared_ptr<const Schema> schema, double dt)
-      : schema_(std::move(schema)), dt_(dt) {}
+  Simulation(std::shared_ptr<const Schema> schema, double dt);
   void apply_orders(World& world, const StepInfo& info, Workspace& work,
                     std::span<const Order> orders) const;
   /// False after a fault.
@@ -89,8 +89,14 @@ class Simulation {
 
   std::shared_ptr<const Schema> schema_;
   double dt_;
+  std::size_t chunks_;  ///< of the largest table, when it is full
   std::vector<std::unique_ptr<const System>> systems_;
-  std::array<std::vector<const System*>, kPhases> by_phase_;
+  /// A system's part in a phase, with its table beside it: a step asks each several times.
+  struct Turn {
+    const System* system;
+    TableId table;
+  };
+  std::array<std::vector<Turn>, kPhases> by_phase_;
   std::vector<const System*> by_order_;  ///< index: kind
 };
 

@@ -42,17 +42,9 @@ std::span<const std::byte> World::column_bytes(std::uint32_t index) const {
   return {data() + column.offset, std::size_t{column.stride} * rows(column.table)};
 }
 
-std::optional<std::uint32_t> World::row(TableId table, PlayerId who) const {
-  const std::span<const PlayerId> players = ids(table);
-  if (players.empty() || who < players.front())
-    return std::nullopt;
-  // ids ascend: none lies farther back than where it would be if nobody had left
-  const std::size_t last =
-      std::min<std::size_t>(who.value - players.front().value, players.size() - 1);
-  if (players[last] == who)
-    return static_cast<std::uint32_t>(last);
-  const auto it = std::lower_bound(players.begin(), players.begin() + last, who);
-  if (*it != who)
+std::optional<std::uint32_t> World::row_of(std::span<const PlayerId> players, PlayerId who) {
+  const auto it = std::ranges::lower_bound(players, who);
+  if (it == players.end() || *it != who)
     return std::nullopt;
   return static_cast<std::uint32_t>(it - players.begin());
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Everything that changes, in one block of bytes: copy it, assign it, hash it.
+#include <algorithm>
+
 #include "core/assert.hpp"
 #include "sim/schema.hpp"
 
@@ -99,8 +101,18 @@ class World {
     return {data(), header_bytes(schema_->tables().size())};
   }
 
-  /// The row of a player in a table, by binary search.
-  [[nodiscard]] std::optional<std::uint32_t> row(TableId table, PlayerId who) const;
+  /// The row of a player in a table.
+  [[nodiscard]] std::optional<std::uint32_t> row(TableId table, PlayerId who) const {
+    const std::span<const PlayerId> players = ids(table);
+    if (players.empty() || who < players.front())
+      return std::nullopt;
+    // ids ascend: none lies farther back than where it would be if nobody had left
+    const std::size_t last =
+        std::min<std::size_t>(who.value - players.front().value, players.size() - 1);
+    if (players[last] == who)
+      return static_cast<std::uint32_t>(last);
+    return row_of(players.first(last), who);
+  }
   /// The table and row of a player.
   [[nodiscard]] std::optional<RowRef> find(PlayerId who) const;
 
@@ -138,6 +150,10 @@ class World {
 
  private:
   friend class Simulation;
+
+  /// Where a player is among ascending ids.
+  [[nodiscard]] static std::optional<std::uint32_t> row_of(std::span<const PlayerId> players,
+                                                           PlayerId who);
 
   /// A cache line. A world is made of these, so that assigning one of the same size is one copy
   /// into the bytes that are already there: no allocation, and pointers into it stay good.

@@ -143,14 +143,14 @@ class Now {
   Now(const TrackFile& file, const track::TrackContext& context) : file_(file), context_(context) {}
 
   const track::Prediction& of(std::size_t i) {
-    if (!predictions_[i])
-      predictions_[i] = track::predict(file_.tracks[i], context_.tracker, context_.ownship,
-                                       context_.time, ahead_);
-    return *predictions_[i];
+    if (const track::Prediction* known = predictions_[i])
+      return *known;
+    return predictions_.set(i, track::predict(file_.tracks[i], context_.tracker, context_.ownship,
+                                              context_.time, ahead_));
   }
   /// That track is another one since.
-  void forget(std::size_t i) { predictions_[i].reset(); }
-  void forget_all() { predictions_ = {}; }
+  void forget(std::size_t i) { predictions_.forget(i); }
+  void forget_all() { predictions_.forget_all(); }
 
   /// The track that fits best, or kMaxTracks.
   std::size_t nearest(const Contact& contact, double& best) {
@@ -171,7 +171,7 @@ class Now {
  private:
   const TrackFile& file_;
   const track::TrackContext& context_;
-  std::array<std::optional<track::Prediction>, kMaxTracks> predictions_;
+  track::Predictions predictions_;
   track::Interval ahead_;
 };
 

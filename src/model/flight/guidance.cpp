@@ -140,10 +140,12 @@ NavState advance_leg(const GuidanceGains& gains, const Kinematics& own, const Ro
     return nav;
 
   const Flat to_target = flat(own, route.waypoints[nav.leg].position - own.position);
+  const double wide = 10 * gains.capture_radius, near = wide + 3 * turn_radius;
+  if (dot(to_target, to_target) > 1.001 * near * near)
+    return nav;  // as nearly always, without a root
   const double distance = to_target.size();
-  const double wide = 10 * gains.capture_radius;
   bool reached = distance < gains.capture_radius;
-  if (!reached && distance < wide + 3 * turn_radius) {
+  if (!reached && distance < near) {
     const Flat along = nav.leg > 0 ? leg_direction(own, route, nav.leg) : unit(to_target);
     const double to_go = dot(to_target, along), beside = dot(to_target, along.right());
 

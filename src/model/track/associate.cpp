@@ -15,27 +15,28 @@ struct Pair {
 
 }  // namespace
 
-std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
-                                                 std::span<const std::optional<Prediction>> tracks,
+std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker, const Predictions& tracks,
                                                  std::span<const Contact> contacts,
                                                  std::uint32_t hostile) {
-  EYRIE_ASSERT(tracks.size() <= kMaxTracks && contacts.size() <= kMaxContacts);
+  EYRIE_ASSERT(contacts.size() <= kMaxContacts);
 
   // every pair within the gates
   std::array<Pair, kMaxTracks * kMaxContacts> pairs;
   std::size_t count = 0;
   const double gate2 = tracker.gate * tracker.gate;
-  for (std::size_t t = 0; t < tracks.size(); ++t)
-    for (std::size_t c = 0; tracks[t] && c < contacts.size(); ++c) {
+  for (std::size_t t = 0; t < kMaxTracks; ++t) {
+    const Prediction* track = tracks[t];
+    for (std::size_t c = 0; track != nullptr && c < contacts.size(); ++c) {
       if (contacts[c].mate && (hostile >> t & 1) != 0)
         continue;
-      if (norm2(contacts[c].position - tracks[t]->position) > reach2(tracker, contacts[c]))
+      if (norm2(contacts[c].position - track->position) > reach2(tracker, contacts[c]))
         continue;
-      const Match m = match(*tracks[t], contacts[c]);
+      const Match m = match(*track, contacts[c]);
       if (m.deviations2() <= gate2)
-        pairs[count++] = {misfit(*tracks[t], m), static_cast<std::uint8_t>(t),
+        pairs[count++] = {misfit(*track, m), static_cast<std::uint8_t>(t),
                           static_cast<std::uint8_t>(c)};
     }
+  }
 
   // the likeliest first
   std::sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count));

@@ -142,6 +142,29 @@ void refresh_sigmas(Track& track, const Tracker& tracker, double time, Interval&
 
 inline constexpr std::size_t kMaxContacts = 32;
 
+/// The predictions of a file's tracks, by index, as far as somebody has asked. Its room is not
+/// cleared, as std::optional's would be: 7 kB for each look.
+class Predictions {
+ public:
+  [[nodiscard]] const Prediction* operator[](std::size_t i) const {
+    return (known_ >> i & 1) != 0 ? &rooms_[i].prediction : nullptr;
+  }
+  const Prediction& set(std::size_t i, const Prediction& prediction) {
+    known_ |= 1u << i;
+    return *std::construct_at(&rooms_[i].prediction, prediction);
+  }
+  void forget(std::size_t i) { known_ &= ~(1u << i); }
+  void forget_all() { known_ = 0; }
+
+ private:
+  union Room {
+    Room() {}  // NOLINT: as it is
+    Prediction prediction;
+  };
+  std::array<Room, kMaxTracks> rooms_;
+  std::uint32_t known_ = 0;
+};
+
 /// Marks a contact that belongs to no track.
 inline constexpr std::uint8_t kNoTrack = 255;
 
@@ -151,9 +174,10 @@ inline constexpr std::uint8_t kNoTrack = 255;
 /// so each contact and each track is used at most once. Of equal pairs the older track and then the
 /// earlier contact goes first. This greedy global nearest neighbor is the common choice where
 /// targets are farther apart than the errors (Blackman & Popoli, Design and Analysis of Modern
-/// Tracking Systems, sec. 6.4). At most kMaxContacts contacts and kMaxTracks predictions.
-[[nodiscard]] std::array<std::uint8_t, kMaxContacts> associate(
-    const Tracker& tracker, std::span<const std::optional<Prediction>> tracks,
-    std::span<const Contact> contacts, std::uint32_t hostile = 0);
+/// Tracking Systems, sec. 6.4). At most kMaxContacts contacts.
+[[nodiscard]] std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
+                                                               const Predictions& tracks,
+                                                               std::span<const Contact> contacts,
+                                                               std::uint32_t hostile = 0);
 
 }  // namespace eyrie::model::track

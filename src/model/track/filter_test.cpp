@@ -207,11 +207,17 @@ Contact contact_at(double x, double y) {
   c.sigma_along = c.sigma_across = 100;
   return c;
 }
+Predictions all_of(std::span<const Prediction> those) {
+  Predictions all;
+  for (std::size_t i = 0; i < those.size(); ++i)
+    all.set(i, those[i]);
+  return all;
+}
 const Tracker kGates{.gate = 4, .max_gate = 5000};
 
 TEST(Associate, TakesTheNearestPairFirst) {
   // the contact at 140 is nearer to the first track, but another contact is nearer still
-  const std::vector<std::optional<Prediction>> tracks{track_at(0, 0), track_at(300, 0)};
+  const Predictions tracks = all_of(std::array{track_at(0, 0), track_at(300, 0)});
   const std::vector contacts{contact_at(140, 0), contact_at(10, 0)};
   const auto track_of = associate(kGates, tracks, contacts);
   EXPECT_EQ(track_of[0], 1);
@@ -219,7 +225,7 @@ TEST(Associate, TakesTheNearestPairFirst) {
 }
 
 TEST(Associate, LeavesOutWhatIsOutsideTheGates) {
-  const std::vector<std::optional<Prediction>> tracks{track_at(0, 0)};
+  const Predictions tracks = all_of(std::array{track_at(0, 0)});
   // the standard deviation of the difference is 141 m
   EXPECT_EQ(associate(kGates, tracks, std::vector{contact_at(560, 0)})[0], 0);
   EXPECT_EQ(associate(kGates, tracks, std::vector{contact_at(570, 0)})[0], kNoTrack);
@@ -230,10 +236,10 @@ TEST(Associate, LeavesOutWhatIsOutsideTheGates) {
 }
 
 TEST(Associate, GivesATieToTheOlderTrackAndTheEarlierContact) {
-  const std::vector<std::optional<Prediction>> tracks{track_at(0, 0), track_at(200, 0)};
+  const Predictions tracks = all_of(std::array{track_at(0, 0), track_at(200, 0)});
   const auto between = associate(kGates, tracks, std::vector{contact_at(100, 0)});
   EXPECT_EQ(between[0], 0);
-  const auto twice = associate(kGates, std::vector{std::optional(track_at(0, 0))},
+  const auto twice = associate(kGates, all_of(std::array{track_at(0, 0)}),
                                std::vector{contact_at(0, 50), contact_at(0, -50)});
   EXPECT_EQ(twice[0], 0);
   EXPECT_EQ(twice[1], kNoTrack);
@@ -241,14 +247,14 @@ TEST(Associate, GivesATieToTheOlderTrackAndTheEarlierContact) {
 
 RC_GTEST_PROP(Associate, UsesEachTrackOnceAndDoesNotDependOnTheOrderOfContacts, ()) {
   const auto place = [] { return double(*rc::gen::inRange(-1500, 1500)); };
-  std::vector<std::optional<Prediction>> tracks;
+  std::vector<Prediction> tracks;
   for (int i = *rc::gen::inRange(0, int(kMaxTracks) + 1); i > 0; --i)
     tracks.push_back(track_at(place(), place()));
   std::vector<Contact> contacts;
   for (int i = *rc::gen::inRange(0, int(kMaxContacts) + 1); i > 0; --i)
     contacts.push_back(contact_at(place() + 0.001 * i, place()));
 
-  const auto track_of = associate(kGates, tracks, contacts);
+  const auto track_of = associate(kGates, all_of(tracks), contacts);
   std::vector<int> uses(tracks.size());
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (track_of[c] != kNoTrack)
@@ -260,7 +266,7 @@ RC_GTEST_PROP(Associate, UsesEachTrackOnceAndDoesNotDependOnTheOrderOfContacts, 
   std::vector<Contact> reversed;
   for (const std::size_t c : order)
     reversed.push_back(contacts[c]);
-  const auto again = associate(kGates, tracks, reversed);
+  const auto again = associate(kGates, all_of(tracks), reversed);
   for (std::size_t c = 0; c < order.size(); ++c) {
     // equal distances aside, which random places do not have
     RC_ASSERT(again[c] == track_of[order[c]]);

@@ -213,7 +213,7 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
     return;
 
   // only where a contact is anywhere near
-  std::array<std::optional<Prediction>, kMaxTracks> predictions;
+  Predictions predictions;
   Interval ahead;
   std::uint32_t hostile = 0;
   for (std::size_t i = 0; i < file.count; ++i) {
@@ -223,11 +223,10 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
       return norm2(c.position - position) <= reach2(context.tracker, c);
     });
     if (near)
-      predictions[i] =
-          predict(file.tracks[i], context.tracker, context.ownship, context.time, ahead);
+      predictions.set(
+          i, predict(file.tracks[i], context.tracker, context.ownship, context.time, ahead));
   }
-  const auto track_of =
-      associate(context.tracker, std::span(predictions).first(file.count), contacts, hostile);
+  const auto track_of = associate(context.tracker, predictions, contacts, hostile);
 
   // known tracks first: a newcomer may push one out
   for (std::size_t c = 0; c < contacts.size(); ++c) {
