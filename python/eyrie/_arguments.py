@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import operator
 import os
 from collections.abc import Iterable
@@ -26,12 +27,20 @@ def whole(name: str, value: Any, least: int = 0, most: int = _WORD) -> int:
 
 def number(name: str, value: Any) -> float:
     """Any number, also one that is not finite."""
-    if isinstance(value, str | bytes):
+    if isinstance(value, str | bytes | bool):
         raise TypeError(f"{name}: {value!r} is no number")
     try:
         return float(value)
     except TypeError:
         raise TypeError(f"{name}: {value!r} is no number") from None
+
+
+def seconds(name: str, value: Any, *, above: bool = False) -> float:
+    """A time from 0 up, or above 0."""
+    time = number(name, value)
+    if not 0 <= time < math.inf or (above and time == 0):
+        raise ValueError(f"{name}: {time:g} s is no time {'above' if above else 'from'} 0{'' if above else ' up'}")
+    return time
 
 
 def switch(name: str, value: Any) -> bool:

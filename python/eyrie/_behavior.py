@@ -66,7 +66,7 @@ def propose(vote: float, *, status: str = "running", **fields: Any) -> Proposal:
     """
     if status not in _STATUS:
         raise ValueError(f"status: {status!r} is none of {', '.join(_STATUS)}")
-    return Proposal(float(vote), fields, status)
+    return Proposal(number("vote", vote), fields, status)
 
 
 class Behavior:

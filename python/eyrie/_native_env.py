@@ -134,6 +134,12 @@ class Native:
         return gymnasium.spaces.Box(-1, 1, (len(self.actions),), np.float32)
 
 
+def no_drawing(render_mode: None) -> None:
+    """What render_mode may be, so that nobody waits for pictures."""
+    if render_mode is not None:
+        raise ValueError(f"render_mode: {render_mode!r}, but environments draw nothing: episode() has a debrief")
+
+
 class Played:
     """What every environment tells of the engine's."""
 

@@ -48,6 +48,10 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
 
     def step(self, actions: dict[str, Floats]) -> Results:
         native = self._native
+        if not self.agents:
+            raise RuntimeError("nobody is in an episode: reset() begins one")
+        if strangers := [who for who in actions if who not in self._row]:
+            raise ValueError(f"actions: {strangers[0]!r} is none of {', '.join(self.possible_agents)}")
         if missing := [who for who in self.agents if who not in actions]:
             raise ValueError(f"actions: there is none of {', '.join(missing)}")
         self._numbers[:] = 0
@@ -83,6 +87,7 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
 
     def close(self) -> None:
         self._native.core.close()
+        self.agents = []
 
     def _seen(self, values: Floats) -> dict[str, Floats]:
         return {who: values[0, self._row[who]].copy() for who in self.agents}

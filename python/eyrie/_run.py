@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 from collections.abc import Iterable
 from functools import cached_property
@@ -12,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from . import _core
-from ._arguments import number, path, paths, several, text as checked_text
+from ._arguments import path, paths, seconds, several, text as checked_text
 from ._behavior import Behavior
 from ._errors import FaultError
 from ._scenario import Scenario, Sets, cores_of, flight_options, load
@@ -109,8 +108,8 @@ class Run:
             player: whose rows; None: everybody's, missiles included.
             every: s between two rows, of one step at least; None: 1 s, of missiles 0.2 s.
         """
-        if every is not None and not 0 < (every := number("every", every)) < math.inf:
-            raise ValueError(f"every: {every} s")
+        if every is not None:
+            every = seconds("every", every, above=True)
         return table_of(self._core.tracks(_name(player), every))
 
     def decisions(
@@ -124,9 +123,7 @@ class Run:
             changes: only those in which somebody else leads, another tree decides or an order is
                 another one than before.
         """
-        if not 0 <= (every := number("every", every)) < math.inf:
-            raise ValueError(f"every: {every} s")
-        return table_of(self._core.decisions(_name(player), every, bool(changes)))
+        return table_of(self._core.decisions(_name(player), seconds("every", every), bool(changes)))
 
     def explain(
         self,
@@ -153,8 +150,8 @@ class Run:
             changes: where another behavior took the lead, also with ``start`` and ``end``.
         """
         for name, time in (("at", at), ("start", start), ("end", end)):
-            if time is not None and not 0 <= number(name, time) < math.inf:
-                raise ValueError(f"{name}: {time} s")
+            if time is not None:
+                seconds(name, time)
         if start > end:
             raise ValueError(f"start: {start} s is after end: {end} s")
         player, event = _name(player), checked_text("event", event)

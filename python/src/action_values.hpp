@@ -36,8 +36,11 @@ template <class T>
       names.push_back(known);
     }
     throw nb::value_error(
-        fmt::format("{}: there is no {}{}", field, quote(name), did_you_mean(name, names)).c_str());
+        fmt::format("{}: there is no {}{}", field, quote(name), nearest_or_all(name, names))
+            .c_str());
   } else if constexpr (std::is_arithmetic_v<T>) {
+    if (nb::isinstance<nb::bool_>(value) && !std::is_same_v<T, bool>)
+      throw nb::cast_error();  // Python's True is a number, too
     return nb::cast<T>(value);
   } else if constexpr (std::is_same_v<T, pilot::Follow>) {
     const auto parts = nb::cast<nb::dict>(value);
@@ -75,7 +78,8 @@ void set_action_field(Action& action, const std::string& name, const nb::handle&
   });
   if (!found)
     throw nb::value_error(
-        fmt::format("an action has no field {}{}", quote(name), did_you_mean(name, names)).c_str());
+        fmt::format("an action has no field {}{}", quote(name), nearest_or_all(name, names))
+            .c_str());
 }
 
 }  // namespace eyrie::python

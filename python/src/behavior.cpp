@@ -134,7 +134,7 @@ class Node final : public ubf::Behavior<S, Action> {
     for (const auto& field : fields)
       names.emplace_back(field.info.name);
     throw nb::attribute_error(
-        fmt::format("there is no state field {}{}", quote(name), did_you_mean(name, names))
+        fmt::format("there is no state field {}{}", quote(name), nearest_or_all(name, names))
             .c_str());
   }
   /// (status, vote, fields) -> the proposal.
@@ -179,9 +179,9 @@ double in_si(const std::string& parameter, double number, const std::string& uni
     std::vector<std::string_view> names;
     for (const UnitInfo& one : units())
       names.push_back(one.symbol);
-    throw nb::value_error(
-        fmt::format("{}: there is no unit {}{}", parameter, quote(unit), did_you_mean(unit, names))
-            .c_str());
+    throw nb::value_error(fmt::format("{}: there is no unit {}{}", parameter, quote(unit),
+                                      nearest_or_all(unit, names))
+                              .c_str());
   }
   return to_si(number, *info);
 }

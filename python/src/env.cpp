@@ -181,7 +181,7 @@ void change(std::vector<train::Reward>& rewards, const Rewards& changes) {
     const auto term = enum_named<train::Term>(name);
     if (!term)
       throw nb::value_error(
-          fmt::format("rewards: there is no term {}{}", quote(name), did_you_mean(name, kNames))
+          fmt::format("rewards: there is no term {}{}", quote(name), nearest_or_all(name, kNames))
               .c_str());
     auto found = std::find_if(rewards.begin(), rewards.end(),
                               [&](const train::Reward& r) { return r.term == *term; });

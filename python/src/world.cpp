@@ -113,7 +113,7 @@ class World {
       for (const std::uint32_t one : schema.table(in).columns)
         names.push_back(schema.column(one).name);
       throw nb::value_error(fmt::format("table {} has no column {}{}", table, quote(column),
-                                        did_you_mean(column, names))
+                                        nearest_or_all(column, names))
                                 .c_str());
     }
     const auto bytes = world().column_bytes(index);
@@ -198,7 +198,7 @@ class World {
     for (const sim::TableInfo& table : schema.tables())
       names.push_back(table.name);
     throw nb::value_error(
-        fmt::format("there is no table {}{}", quote(name), did_you_mean(name, names)).c_str());
+        fmt::format("there is no table {}{}", quote(name), nearest_or_all(name, names)).c_str());
   }
   void keep_events() {
     const auto events = run().workspace().events();

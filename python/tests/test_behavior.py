@@ -131,6 +131,7 @@ def test_what_a_behavior_raises_is_the_fault_of_the_run() -> None:
         (eyrie.propose(1, heading=math.inf), "heading is inf"),
         (eyrie.propose(1, hedding=1.0), "did you mean 'heading'"),
         (eyrie.propose(1, heading="north"), "'north' is no value"),
+        (eyrie.propose(1, heading=True), "True is no value"),
         (eyrie.propose(1, mode="hovering"), "no 'hovering'"),
         (eyrie.propose(1, release={"track": 3}), "'store'"),
         (eyrie.propose(1, follow={"position": (0, 0, 0)}), "'velocity'"),
@@ -286,8 +287,9 @@ def test_wrong_definitions_are_named() -> None:
         eyrie.load("merge", behaviors=[len])  # type: ignore[list-item]
     with pytest.raises(ValueError, match="status"):
         eyrie.propose(1, status="done")
-    with pytest.raises(ValueError, match="north"):
-        eyrie.propose("north")  # type: ignore[arg-type]
+    for vote in ("50", True):
+        with pytest.raises(TypeError, match="vote: .* is no number"):
+            eyrie.propose(vote)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="n: its default cannot be 1000"):
         eyrie.behavior(name="x")(lambda state, n=eyrie.param(10**400, help="x"): None)
     with pytest.raises(TypeError, match="n: it is called by its name"):

@@ -208,6 +208,8 @@ def test_the_seeds_to_come_are_saved_too() -> None:
     env.restore(saved)
     assert (env.reset()[0] == first).all()
     several = envs.parallel("sweep").unwrapped
+    with pytest.raises(RuntimeError, match="reset"):
+        several.step({})
     several.reset(seed=2)
     before = several.save()
     act = {who: np.zeros(len(several.actions), np.float32) for who in several.agents}
@@ -215,7 +217,18 @@ def test_the_seeds_to_come_are_saved_too() -> None:
     several.restore(before)
     again = several.step(act)[0]
     assert all((seen[who] == again[who]).all() for who in seen)
+    with pytest.raises(ValueError, match="'eagle9' is none of eagle1"):
+        several.step({**act, "eagle9": act["eagle1"]})
     assert "observation" in several.policy_words
+    several.close()
+    with pytest.raises(RuntimeError, match="reset"):
+        several.step(act)
+
+
+def test_nothing_is_drawn() -> None:
+    for make in (envs.Env, envs.VectorEnv):
+        with pytest.raises(ValueError, match="render_mode: 'human'"):
+            make("merge", render_mode="human")  # type: ignore[arg-type]
 
 
 def _crashed(env: envs.Env) -> Any:

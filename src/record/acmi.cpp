@@ -55,7 +55,7 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
       "0,Title={}\n0,Comments={}\n0,ReferenceLongitude={:.10f}\n"
       "0,ReferenceLatitude={:.10f}\n",
       acmi_name(scenario_.spec.name), acmi_text(scenario_.spec.help_text),
-      degrees(origin.longitude), degrees(origin.latitude));
+      degrees(wrap_pi(origin.longitude)), degrees(origin.latitude));
   step_ = world.step();
   time_ = static_cast<double>(step_) * dt;
   for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i) {

@@ -212,6 +212,21 @@ TEST(Overrides, ReplaceANodeBesideParametersOfItsParent) {
             "label: x}}}}");
 }
 
+TEST(Overrides, MayNameTheListOfChildren) {
+  Diagnostics diagnostics;
+  Value document = parse_yaml(
+      "trees: {bare: {priority: [{navigate: {vote: 9}}]}, named: {priority: {children: "
+      "[{navigate: {vote: 9}}]}}}",
+      "a", diagnostics);
+  const std::vector<std::string> sets{"trees.bare.priority.children.navigate.vote=1",
+                                      "trees.named.priority.children.navigate.vote=2"};
+  apply_overrides(document, sets, diagnostics);
+  EXPECT_EQ(diagnostics.text(), "");
+  EXPECT_EQ(text(document),
+            "{trees: {bare: {priority: [{navigate: {vote: 1}}]}, named: {priority: {children: "
+            "[{navigate: {vote: 2}}]}}}}");
+}
+
 TEST(Overrides, ReachListItemsByIndex) {
   const Changed c = with({"blue.flights.eagle.route.1.north=3 nmi",
                           "blue.flights.eagle.loadout.2=none", "blue.flights.eagle.players.0=x"});

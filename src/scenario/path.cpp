@@ -141,6 +141,8 @@ Value* step(Value& at, const PathKey& key, Diagnostics& diagnostics,
   };
   if (at.is_scalar() && at.text == key.text)  // an item by its index, and then its name
     open_name(at);
+  if (at.is_list() && key.text == "children")  // `winner_takes_all: [...]` is its list
+    return &at;
   Value* list = list_for(at, key.text);
   if (!list) {
     Value* next = at.find(key.text);

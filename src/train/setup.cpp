@@ -41,9 +41,11 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
   if (!task_.votes)
     controls_ = pilot::Controls(task_.controls, {"controls", 1, 1});
   for (const Reward& r : task_.rewards) {
-    if (!std::isfinite(r.weight) || !(r.low <= r.high) || !std::isfinite(r.high - r.low) ||
+    if (!std::isfinite(r.weight))
+      refuse("reward {}: its weight {} is no finite number", enum_name(r.term), r.weight);
+    if (!(r.low <= r.high) || !std::isfinite(r.high - r.low) ||
         (r.term == Term::closing && !(r.high > 0)))
-      refuse("reward {}: weight {}, from {} to {}", enum_name(r.term), r.weight, r.low, r.high);
+      refuse("reward {}: {} to {} is no range", enum_name(r.term), r.low, r.high);
     if (r.high == 0 &&
         (r.term == Term::closeness || r.term == Term::low || r.term == Term::formation))
       refuse("reward {} needs a range: it is 1 up to its low end, 0 from its high end on",
@@ -143,7 +145,7 @@ void VectorEnv::read_learners() {
       const auto arbiter = flown.find(task_.votes->arbiter);
       if (!arbiter)
         refuse("votes: tree {} of {} has no node {}{}", quote(flown.name()), name,
-               quote(task_.votes->arbiter), did_you_mean(task_.votes->arbiter, paths));
+               quote(task_.votes->arbiter), nearest_or_all(task_.votes->arbiter, paths));
       std::vector<std::string> voters;
       for (const auto& child : flown.node(*arbiter).children()) {
         learner.nodes.push_back(static_cast<std::uint16_t>(child->index() + 1));
@@ -184,7 +186,7 @@ void VectorEnv::read_opponents() {
       const auto tree = scenario_->trees->find(name);
       if (!tree)
         refuse("opponent {}: there is no tree {}{}", quote(opponent.player), quote(name),
-               did_you_mean(name, trees));
+               nearest_or_all(name, trees));
       choice.trees.push_back(*tree);
     }
     choices_.push_back(std::move(choice));

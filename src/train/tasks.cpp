@@ -184,7 +184,7 @@ const TaskSpec& task(std::string_view name) {
     if (one.name == name)
       return one;
   throw std::invalid_argument("there is no task " + quote(name) +
-                              did_you_mean(name, listed(tasks(), &TaskSpec::name)));
+                              nearest_or_all(name, listed(tasks(), &TaskSpec::name)));
 }
 
 }  // namespace eyrie::train

@@ -62,6 +62,15 @@ TEST(AcmiFile, SaysWhatItIsAndWhere) {
   EXPECT_NEAR(f.frames.back(), Flown::get().report["sim_time_s"].get<double>(), 0.005);
 }
 
+TEST(AcmiFile, GivesLongitudesAsOthersDo) {
+  TempFolder folder;
+  const Ran ran = run_program(folder, {"fly", "merge", "--until", "1 s", "--set",
+                                       "reference.longitude=300 deg", "--out", "run"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Acmi file(read_text(folder / "run/flight.acmi"));
+  EXPECT_EQ(acmi_number(file.globals.at("ReferenceLongitude")), -60);
+}
+
 TEST(AcmiFile, DescribesEveryAircraft) {
   const Acmi& f = Flown::get().file;
   for (const char* name : {"eagle1", "eagle2", "eagle3", "eagle4", "bogey1", "bogey2"}) {
