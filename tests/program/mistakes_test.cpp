@@ -99,6 +99,9 @@ INSTANTIATE_TEST_SUITE_P(
             "OtherFormatVersion",
             {{"eyrie: 1", "eyrie: 2"}},
             "x.yaml:1:8: eyrie: this file is of format 2, which needs a newer program; this one, "},
+        Mistake{"NoFormatVersion",
+                {{"eyrie: 1", "eyrie: -1"}},
+                "x.yaml:1:8: eyrie: there is no format -1; this program, "},
         Mistake{"UnknownChoice",
                 {{"ends: time", "ends: tim"}},
                 "x.yaml:5:7: ends: expected one of blue_home, last_side, time, got 'tim'; did you "
