@@ -183,7 +183,10 @@ NodeReader::Child NodeReader::make(const NodeSpec& spec) {
     return nullptr;
   }
   try {
-    return make(*registry_.types_[found->second], spec);
+    Child node = make(*registry_.types_[found->second], spec);
+    if (node && registry_.infos_[found->second].origin != "eyrie")
+      node->distrust();
+    return node;
   } catch (const std::bad_alloc&) {  // nobody's mistake
     throw;
   } catch (const std::exception& e) {
