@@ -83,13 +83,10 @@ std::vector<ubf::detail::Instruction> condition_over(const std::vector<Column>& 
          .unit = unit < detail::kUnits.size() ? Unit(detail::kUnits[unit].dimension) : Unit(),
          .help = {}});
   }
-  ubf::FieldNames names;
+  ubf::FieldNames names("a measure", "there is no measure");
   Diagnostics wrong;
   const auto condition = ubf::parse_expression(text, fields, names, wrong);
   for (auto& [where, message] : wrong.sorted()) {
-    constexpr std::string_view kField = "state field";
-    if (const auto at = message.find(kField); at != message.npos)
-      message.replace(at, kField.size(), "measure");
     for (const Column& column : columns)
       if (const std::string name = column.name.substr(0, column.name.find(".sum"));
           name != column.name && message.starts_with("there is no measure " + quote(name)))

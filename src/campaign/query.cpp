@@ -59,10 +59,15 @@ std::size_t value_of(const MeasureSpec& spec, std::span<const StateFieldInfo> fi
   return static_cast<std::size_t>(found - fields.begin());
 }
 
+ubf::FieldNames naming(const MeasureSpec& spec) {
+  const bool of_event = spec.what == What::event;
+  return {"a value", fmt::format("{} has no value", of_event ? spec.event : "a decision")};
+}
+
 std::optional<std::vector<ubf::detail::Instruction>> condition_of(
     const MeasureSpec& spec, std::span<const StateFieldInfo> fields, Diagnostics& diagnostics) {
   const Value* const text = spec.text.find("if");
-  ubf::FieldNames names;
+  ubf::FieldNames names = naming(spec);
   return text && text->is_scalar() ? ubf::parse_expression(*text, fields, names, diagnostics)
                                    : std::optional(std::vector<ubf::detail::Instruction>());
 }
@@ -181,9 +186,8 @@ void Query::check(const MeasureSpec& spec, Diagnostics& diagnostics) {
   const std::vector<StateFieldInfo> fields = fields_of(spec);
   static_cast<void>(condition_of(spec, fields, diagnostics));
   if (value_of(spec, fields) == fields.size())
-    diagnostics.error(spec.text.where_of("value"), "{}: it has no value {}{}", spec.name,
-                      quote(spec.value),
-                      nearest_or_all(spec.value, listed(fields, &StateFieldInfo::name)));
+    diagnostics.error(spec.text.where_of("value"), "{}: {}", spec.name,
+                      naming(spec).unknown(fields, spec.value));
   const Value* const take = spec.text.find("take");
   const bool takes_value = spec.take != Take::any && spec.take != Take::count;
   const bool is_read = !take || take->text == enum_name(spec.take);

@@ -162,8 +162,8 @@ Spec bind_spec(const Value& document, const std::string& file,
   Spec spec;
   if (!document.is_map())
     throw ConfigError({file, 1, 1}, "expected a map, got " + document.shown());
-  if (const auto newer = scenario::newer_format(document))
-    throw ConfigError(newer->where, newer->message);
+  if (const auto other = scenario::other_format(document))
+    throw ConfigError(other->where, other->message);
   if (document.find("blue") || document.find("red"))
     throw ConfigError({file, 1, 1}, "this is a scenario: eyrie fly " + quote_path(file));
   std::vector<std::string_view> by_hand{"factors", "measures"};

@@ -264,13 +264,18 @@ INSTANTIATE_TEST_SUITE_P(
             "take: first, value: range", "take: frist, value: rang",
             "c.yaml:17:92: take: expected one of any, count, first, last, sum, least, most, got "
             "'frist'; did you mean 'first'?\n"
-            "c.yaml:17:106: near: it has no value 'rang'; did you mean 'range'?"},
+            "c.yaml:17:106: near: launch has no value 'rang'; did you mean 'range'?"},
         Mistake{"range < 10 nmi", "rnge < 10 nmi",
-                "c.yaml:17:53: there is no state field 'rnge'; did you mean 'range'?"},
+                "c.yaml:17:53: launch has no value 'rnge'; did you mean 'range'?"},
+        Mistake{"range < 10 nmi", "closure < 10 nmi",
+                "c.yaml:17:53: launch has no value 'closure', only range, store, time, altitude, "
+                "speed, mach, fuel, missile_range, enemy_range, whom.altitude, whom.speed, "
+                "whom.mach, whom.fuel, whom.missile_range, whom.enemy_range"},
+        Mistake{"range < 10 nmi", "5 nmi < 10 nmi", "c.yaml:17:53: neither side is a value"},
         Mistake{"range < 10 nmi", "range < 10 kg",
                 "c.yaml:17:61: range: expected a length such as '6000 ft', got '10 kg' (a mass)"},
         Mistake{"value: range", "value: rang",
-                "c.yaml:17:106: near: it has no value 'rang'; did you mean 'range'?"},
+                "c.yaml:17:106: near: launch has no value 'rang'; did you mean 'range'?"},
         Mistake{"take: any", "take: any, value: vote",
                 "c.yaml:18:85: breaks: 'any' takes no value"},
         Mistake{"seeds:", "optimize: {}\nseeds:",

@@ -268,13 +268,21 @@ void Others::shoot(const Now& now, Entity& munition, PlayerId shooter, PlayerId 
 }
 
 void Others::take(const Now& now, double, const Fire& fire) {
-  ++incoming_.counts.shots;
-  if (fire.munition == kNobody)
-    return;  // rounds: their Detonation says whom they hit
+  if (fire.munition == kNobody) {  // rounds: their Detonation says whom they hit
+    ++incoming_.counts.shots;
+    return;
+  }
   const auto [known, fresh] = entity_called(now, fire.munition);
+  // one entity is one shot, whatever the number of the event: IEEE 1278.1-2012, 7.3.2
+  if (known && now.clock - known->fired < kLongAgo) {
+    ++incoming_.counts[Unused::twice];
+    return;
+  }
+  ++incoming_.counts.shots;
   if (!known || known->gone)
     return;
   Entity& munition = *known;
+  munition.fired = now.clock;
   if (fresh)
     munition.munition = missile_of(fire.what.type);
   const PlayerId shooter = player_of(fire.shooter);

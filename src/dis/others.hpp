@@ -48,6 +48,7 @@ class Others {
     bool here = false, gone = false, namesake = false;
     double heard = 0;                  ///< s since 1970, when it was last put where it is
     double named = 0;                  ///< s since 1970, when anybody last spoke of it
+    double fired = 0;                  ///< s since 1970, when its Fire came
     std::optional<EntityState> early;  ///< of a missile whose Fire has not come
     std::optional<EntityState> said;   ///< the newest of those that came since the last step
     Motion last;

@@ -199,6 +199,11 @@ struct Missile {
     end_.event = fire_.event;
   }
   void fire(double at) { hear(at, fire_); }
+  /// The same shot as another event.
+  void fire_anew(double at) {
+    ++fire_.event.number;
+    fire(at);
+  }
   void end(double at) { hear(at, end_); }
   void state(double at) { hear(at, state_); }
   /// How many launches the orders of that time are.
@@ -240,6 +245,21 @@ TEST(Others, HearAMissileOfANameThatOneHadLongBefore) {
   missile.state(100);  // and its Fire was lost
   EXPECT_EQ(missile.launches(100), 0);
   EXPECT_EQ(missile.launches(101), 1);
+}
+
+TEST(Others, HearAMissileOnceHoweverManyEventsSayThatItIsFired) {
+  Both both("merge");
+  both.fly(5);
+  Missile missile(both);
+  const HeardCounts before = both.blue.others.counts();
+  for (double at = 6; at < 7; at += 0.01)
+    missile.fire_anew(at);
+  EXPECT_EQ(missile.launches(7), 1);
+  EXPECT_EQ(both.blue.others.counts().shots, before.shots + 1);
+  missile.fire_anew(7.1);
+  EXPECT_EQ(missile.launches(7.1), 0);
+  missile.fire_anew(20);  // the program began anew
+  EXPECT_EQ(missile.launches(20), 1);
 }
 
 TEST(Others, ForgetWhoIsSilentWhereThereAreTooMany) {

@@ -94,6 +94,7 @@ struct Visitor : Guest {
   }
 
   State state = State::asking;
+  Clock::time_point came = Clock::now();
   ViewerId id = 0;  ///< once he is live
   Stream stream;
   std::optional<websocket::stream<Stream>> socket;  ///< instead, once it is live
@@ -138,8 +139,17 @@ struct WebHost::Network {
   void answer(const VisitorPtr& visitor) {
     const auto all = guests.all();
     if (std::ranges::count_if(all, [](const auto& one) { return !one->silent(); }) >=
-        static_cast<std::ptrdiff_t>(options.connections))
-      return say(visitor, http::status::service_unavailable, "too many look on; come again later");
+        static_cast<std::ptrdiff_t>(options.connections)) {
+      // who takes his page slowly, or not at all, gives his place to who comes
+      const auto slow = std::ranges::find_if(all, [&](const auto& one) {
+        return one->state == Visitor::State::answered &&
+               Visitor::Clock::now() - one->came > options.patience;
+      });
+      if (slow == all.end())
+        return say(visitor, http::status::service_unavailable,
+                   "too many look on; come again later");
+      guests.refuse(*slow);
+    }
     if (!visitor->request.is_done())
       return say(visitor, http::status::payload_too_large, "a request has no body here");
     const auto& request = visitor->request.get();

@@ -262,8 +262,8 @@ class Composer {
       return none(diagnostics_.error(from, "with {} the scenario has more than {} values",
                                      quote_path(file), kMostValues));
     }
-    if (const auto newer = newer_format(document))
-      return none(diagnostics_.error(newer->where, newer->message));
+    if (const auto other = other_format(document))
+      return none(diagnostics_.error(other->where, other->message));
     if (document.is_map())
       return document;
     return none(diagnostics_.error(document.is_null() ? Location{file, 1, 1} : document.where,
@@ -336,14 +336,17 @@ bool is_package(const Value& document) {
   });
 }
 
-std::optional<Diagnostic> newer_format(const Value& document) {
+std::optional<Diagnostic> other_format(const Value& document) {
   const Value* const said = document.find("eyrie");
   const auto format = said ? number_from<std::int64_t>(said->text) : std::nullopt;
-  if (!format || *format <= kFileFormat)
+  if (!format || *format == kFileFormat)
     return std::nullopt;
-  return Diagnostic{said->where, fmt::format("eyrie: this file is of format {}, which needs a "
-                                             "newer program; this one, {}, reads format {}",
-                                             *format, kVersion, kFileFormat)};
+  const std::string what =
+      *format > kFileFormat
+          ? fmt::format("this file is of format {}, which needs a newer program; this one", *format)
+          : fmt::format("there is no format {}; this program", *format);
+  return Diagnostic{said->where,
+                    fmt::format("eyrie: {}, {}, reads format {}", what, kVersion, kFileFormat)};
 }
 
 std::string what_else(const Value& document, const std::string& file) {

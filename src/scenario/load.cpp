@@ -109,19 +109,19 @@ class Loader {
     DataLoader data(*library_, document_.find("data"), source_, diagnostics_);
     for (const ConvoyPlan& convoy : plans_.convoys)
       for (const VehiclePlan& player : convoy.players) {
-        if (player.spec.vehicle.empty())
+        if (player.leaves_open("vehicle"))
           diagnostics_.error(player.where, "{}: which vehicle? Neither it nor its convoy says",
                              player.name);
-        else
+        else if (!player.spec.vehicle.empty())
           data.vehicle(player.spec.vehicle, player.place("vehicle"));
       }
     for (const FlightPlan& flight : plans_.flights)
       for (const PlayerPlan& player : flight.players) {
-        if (player.spec.aircraft.empty()) {
+        if (player.leaves_open("aircraft"))
           diagnostics_.error(player.where, "{}: which aircraft? Neither it nor its flight says",
                              player.name);
+        if (player.spec.aircraft.empty())
           continue;
-        }
         data.aircraft(player.spec.aircraft, player.place("aircraft"));
         if (!player.spec.loadout)
           continue;

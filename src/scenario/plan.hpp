@@ -27,6 +27,11 @@ struct MemberPlan {
     const Value* mine = own ? own->find(key) : nullptr;
     return mine || !group ? mine : group->find(key);
   }
+  /// Whether it says nothing of it, or the text of no letters.
+  [[nodiscard]] bool leaves_open(std::string_view key) const {
+    const Value* value = said(key);
+    return !value || (value->is_scalar() && value->text.empty());
+  }
   /// Where it says so; if nowhere, where the member stands.
   [[nodiscard]] const Location& place(std::string_view key) const {
     const Value* value = said(key);

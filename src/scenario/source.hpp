@@ -113,8 +113,8 @@ class Source {
 
 /// Whether a file is none to fly but one to include: it holds trees, data and plugins alone.
 [[nodiscard]] bool is_package(const Value& document);
-/// What is wrong with a scenario or campaign of a format that came after this program.
-[[nodiscard]] std::optional<Diagnostic> newer_format(const Value& document);
+/// What is wrong with a scenario or campaign of a format that this program does not read.
+[[nodiscard]] std::optional<Diagnostic> other_format(const Value& document);
 /// What a file is that is no scenario, and what to do with it; "" for what may be one.
 [[nodiscard]] std::string what_else(const Value& document, const std::string& file);
 

@@ -100,7 +100,8 @@ TEST(TreeBook, KnowsNoAltitudeOnTheGround) {
   EXPECT_EQ(
       book_of("trees: {air: pursue, road: {sequence: [altitude > 1 km, scatter]}}", "air", "road")
           .mistakes,
-      "a:1:40: there is no state field 'altitude' (in a tree for drivers: truck1 has it)");
+      "a:1:40: there is no state field 'altitude', only time, speed, heading, rank, alive, leads, "
+      "gap, aircraft, aircraft_range, hostile (in a tree for drivers: truck1 has it)");
 }
 
 TEST(TreeBook, LimitsTheNodesOfAllTreesTogether) {

@@ -2,9 +2,12 @@
 #include "sql/database.hpp"
 
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <limits>
+#include <optional>
 
 #include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
@@ -12,10 +15,21 @@
 namespace eyrie::sql {
 namespace {
 
+/// Why a file that is there cannot be written: it or its folder, in which SQLite keeps a journal.
+std::optional<std::string> unwritable(const std::string& path) {
+  for (const std::string& place : {path, std::filesystem::path(path).parent_path().string()})
+    if (::access(place.c_str(), W_OK) != 0)
+      return fmt::format("cannot write {}: {}", quote_path(place), disk::words_of(errno));
+  return {};
+}
+
 /// To be called right after what has failed: SQLite keeps no errno of a write.
 [[noreturn]] void fail(sqlite3* database) {
   const int call = errno, code = sqlite3_errcode(database);
   const char* path = sqlite3_db_filename(database, nullptr);
+  if (code == SQLITE_READONLY && path)
+    if (const auto why = unwritable(path))
+      throw disk::Refused(*why);
   const std::string words =
       fmt::format("{}: {}", path && *path ? quote_path(path) : "a temporary file of SQLite",
                   code == SQLITE_FULL       ? disk::words_of(ENOSPC)

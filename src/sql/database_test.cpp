@@ -2,8 +2,12 @@
 #include "sql/database.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "disk/file_system.hpp"
 #include "support/program.hpp"
@@ -50,6 +54,32 @@ TEST(Database, ThatIsFullSaysSo) {
     EXPECT_NE(std::string(e.what()).find("No space left on device"), std::string::npos) << e.what();
   }
   put.with("small").step();
+}
+
+/// As somebody whom nothing is allowed: what is done as root is.
+TEST(Database, SaysWhatMayNotBeWritten) {
+  const test::TempFolder folder;
+  const std::string file = folder / "x.db";
+  Database(file, Access::create).run("CREATE TABLE t (s TEXT); PRAGMA journal_mode=DELETE");
+  const auto write = [&] {
+    if (::geteuid() == 0 && ::setuid(65534) != 0)
+      std::_Exit(1);
+    try {
+      Database(file, Access::write).run("DELETE FROM t");
+    } catch (const disk::Refused& refused) {
+      std::fputs(refused.what(), stderr);
+      std::_Exit(2);
+    }
+    std::_Exit(0);
+  };
+  ASSERT_EQ(::chmod((folder / ".").c_str(), 0555), 0);
+  ASSERT_EQ(::chmod(file.c_str(), 0666), 0);
+  EXPECT_EXIT(write(), testing::ExitedWithCode(2),
+              "cannot write '" + folder.path().string() + "': Permission denied");
+  ASSERT_EQ(::chmod(file.c_str(), 0444), 0);
+  EXPECT_EXIT(write(), testing::ExitedWithCode(2),
+              "cannot write '" + file + "': Permission denied");
+  ASSERT_EQ(::chmod((folder / ".").c_str(), 0755), 0);
 }
 
 TEST(Database, NamesColumnsWhateverTheyAreCalled) {

@@ -84,8 +84,8 @@ class Behavior : public AnyNode {
     const Status status = tick(t, out);
     if (!t.votes.empty()) [[unlikely]]
       vote_anew(t, status, out);
-    if (vote_curve_) [[unlikely]]
-      weigh(t, out);
+    if (looked_at_) [[unlikely]]
+      return look_at(t, status, out);
     return status;
   }
   /// This node as one that judges candidates, or null.
@@ -112,7 +112,19 @@ class Behavior : public AnyNode {
       if (change.node == index_ && status != Status::failure && !out.is_empty())
         out.vote = change.vote;
   }
-  [[gnu::noinline]] void weigh(const Tick<State>& t, Proposal<Action>& out) const {
+  [[gnu::noinline]] Status look_at(const Tick<State>& t, Status status,
+                                   Proposal<Action>& out) const {
+    if (status > Status::success) {
+      if (t.mistake && t.mistake->node == kNone)
+        *t.mistake = {index_, fmt::format("answers what means nothing: status is {}",
+                                          static_cast<unsigned>(status))};
+      return fails(t, "its status is none of failure, running and success");
+    }
+    if (vote_curve_)
+      weigh(t, out);
+    return status;
+  }
+  void weigh(const Tick<State>& t, Proposal<Action>& out) const {
     VoteCurve::Scores scores{};
     const StateField<State>* fields = StateFields<State>::all().data();
     out.vote *= static_cast<float>(

@@ -181,12 +181,12 @@ class Parser {
   std::optional<Side> side() {
     space();
     if (at_ >= text_.size())
-      return none(at_, "expected a state field or a quantity, got the end");
+      return none(at_, "expected {} or a quantity, got the end", names_.one());
     Side side{.at = at_, .text = {}, .field = {}};
     if (begins_word(text_[at_])) {
       side.text = word_at(at_);
       if (is_keyword(side.text))
-        return none(at_, "expected a state field or a quantity, got {}", quote(side.text));
+        return none(at_, "expected {} or a quantity, got {}", names_.one(), quote(side.text));
       at_ += side.text.size();
       if (const std::size_t field = names_.find(fields_, side.text); field < fields_.size())
         side.field = field;
@@ -195,7 +195,7 @@ class Parser {
     quantity();
     side.text = text_.substr(side.at, at_ - side.at);
     if (side.text.empty())
-      return none(at_, "expected a state field or a quantity, got {}", quote(rest_word()));
+      return none(at_, "expected {} or a quantity, got {}", names_.one(), quote(rest_word()));
     return side;
   }
   /// A number and, behind it, a unit.
@@ -247,7 +247,7 @@ class Parser {
     if (!left.field && !right.field) {
       const Side& word = begins_word(left.text.front()) ? left : right;
       return begins_word(word.text.front()) ? unknown(word)
-                                            : fail(left.at, "neither side is a state field");
+                                            : fail(left.at, "neither side is {}", names_.one());
     }
     const Side& field = left.field ? left : right;
     const Side& other = left.field ? right : left;

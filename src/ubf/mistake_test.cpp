@@ -100,6 +100,33 @@ TEST(Mistake, IsAFailureOfTheRootToo) {
   }
 }
 
+/// Of Eyrie's own nodes nobody asks.
+TEST(Mistake, IsAStatusThatIsNoneFromAStranger) {
+  RobotRegistry registry;
+  add_standard_nodes(registry);
+  registry.add<Probe>("a plug-in");
+  for (const char* node : {"winner_takes_all", "selector", "priority", "fusion"}) {
+    Robot robot(build(fmt::format("{{{}: [{{probe: {{cue: 0}}}}, {{probe: {{cue: 1}}}}]}}", node),
+                      {}, registry));
+    const auto decide = [&](Mistake& mistake) {
+      return robot.tree.tick(
+          {.state = robot.state, .memory = robot.slab.data(), .mistake = &mistake}, robot.out);
+    };
+    robot.cue(0) = {kFailure};
+    robot.cue(1) = {kRunning, 1, {.heading = 2}};
+    Mistake none, one;
+    const Status failing = decide(none);
+    EXPECT_EQ(none.node, kNone);
+    robot.cue(0) = {static_cast<Status>(7), 90, {.heading = 1}};
+    EXPECT_EQ(decide(one), failing) << node;
+    EXPECT_EQ(one.node, 1);
+    EXPECT_EQ(one.what, "answers what means nothing: status is 7");
+    EXPECT_EQ(robot.tick(), failing);
+    EXPECT_EQ(robot.row("root/probe[0]").status, kFailure);
+    EXPECT_STREQ(robot.trace.why(1), "its status is none of failure, running and success");
+  }
+}
+
 TEST(Mistake, IsAVoteThatAScaleMakesInfinite) {
   Robot robot(
       build("{priority: [{winner_takes_all: {vote_scale: 1000, children: [{probe: {cue: "

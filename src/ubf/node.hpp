@@ -103,7 +103,10 @@ class AnyNode {
   [[nodiscard]] const VoteCurve* vote_curve() const noexcept { return vote_curve_.get(); }
   void set_vote_curve(VoteCurve curve) {
     vote_curve_ = std::make_unique<const VoteCurve>(std::move(curve));
+    looked_at_ = true;
   }
+  /// Its type is a stranger's, which may answer what is no status.
+  void distrust() { looked_at_ = true; }
 
  protected:
   [[nodiscard]] std::size_t memory_begin() const noexcept { return memory_begin_; }
@@ -116,6 +119,7 @@ class AnyNode {
 
   NodeIndex index_ = 0, end_index_ = 1;
   bool stands_ = false;
+  bool looked_at_ = false;  ///< its answer, before it is handed on: for its vote curve, or distrust
   std::uint32_t memory_begin_ = 0, memory_end_ = 0;  ///< of the subtree
   std::unique_ptr<const VoteCurve> vote_curve_;
   Children children_;

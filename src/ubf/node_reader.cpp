@@ -124,7 +124,7 @@ NodeReader::Child NodeReader::read_reference(const NodeSpec& spec) {
   if (tree == trees_.end()) {
     const auto known = diagnostics_.full() ? std::span<const NamedSpec>() : trees_;
     return no_node(diagnostics_.error(reference->where, "there is no tree {}{}", quote(name),
-                                      did_you_mean(name, listed(known, &NamedSpec::name))));
+                                      nearest_or_all(name, listed(known, &NamedSpec::name))));
   }
   if (const auto cycle = cycle_through(open_, name))
     return no_node(diagnostics_.error(reference->where, *cycle));
@@ -183,7 +183,10 @@ NodeReader::Child NodeReader::make(const NodeSpec& spec) {
     return nullptr;
   }
   try {
-    return make(*registry_.types_[found->second], spec);
+    Child node = make(*registry_.types_[found->second], spec);
+    if (node && registry_.infos_[found->second].origin != "eyrie")
+      node->distrust();
+    return node;
   } catch (const std::bad_alloc&) {  // nobody's mistake
     throw;
   } catch (const std::exception& e) {

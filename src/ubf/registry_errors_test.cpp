@@ -128,6 +128,8 @@ TEST(RegistryErrors, AReferenceNamesATreeThatExists) {
   const NamedTrees others = NamedTrees().with("ingress", "{probe: {cue: 1}}");
   EXPECT_EQ(mistakes("{tree: ingres}", others),
             "test.yaml:1:8: there is no tree 'ingres'; did you mean 'ingress'?");
+  EXPECT_EQ(mistakes("{tree: patrol}", others),
+            "test.yaml:1:8: there is no tree 'patrol', only ingress");
   EXPECT_EQ(mistakes("tree"),
             "test.yaml:1:1: a reference names its tree, as in {tree: ingress}, or with arguments "
             "{tree: {ingress: {vote: 40}}}");

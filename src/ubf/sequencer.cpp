@@ -103,7 +103,7 @@ class Reading {
         return static_cast<std::uint16_t>(i);
     const auto name_of = [](const auto& tree) { return tree.first; };
     diagnostics_.error(where, "the sequencer has no tree {}{}", quote(name),
-                       did_you_mean(name, listed(trees, name_of)));
+                       nearest_or_all(name, listed(trees, name_of)));
     return 0;
   }
   void refuse_unreachable() {

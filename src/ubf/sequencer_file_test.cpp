@@ -49,6 +49,8 @@ TEST(SequencerSpec, AnswersUnknownTreesWithTheNearestName) {
             "test.yaml:1:9: the sequencer has no tree 'ingres'; did you mean 'ingress'?\n"
             "test.yaml:2:23: the sequencer has no tree 'brv'; did you mean 'bvr'?\n"
             "test.yaml:3:10: the sequencer has no tree 'wvr'; did you mean 'bvr'?");
+  EXPECT_EQ(sequencer_mistakes("{start: patrol, trees: {ingress: x}}"),
+            "test.yaml:1:9: the sequencer has no tree 'patrol', only ingress");
 }
 
 TEST(SequencerSpec, RefusesNamesOfTreesThatDoNotWork) {

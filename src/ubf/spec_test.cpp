@@ -105,7 +105,7 @@ TEST(Subtree, ReadsStateFieldsUnderTheNamesOfItsReference) {
       mistakes("{winner_takes_all: [{tree: {close: {fields: {distance: range, busy: alarm}}}}, "
                "{holds: not busy}]}",
                trees),
-      "test.yaml:1:92: there is no state field 'busy'");
+      "test.yaml:1:92: there is no state field 'busy', only range, altitude, count, alarm, phase");
   EXPECT_EQ(mistakes("{tree: {close: {fields: {distance: rnge, busy: alarm}}}}", trees),
             "close.yaml:1:16: 'distance' means 'rnge' here, and there is no state field 'rnge'; "
             "did you mean 'range'?");

@@ -28,12 +28,12 @@ std::size_t FieldNames::find(std::span<const StateFieldInfo> fields, std::string
 std::string FieldNames::unknown(std::span<const StateFieldInfo> fields, std::string_view name) {
   std::vector<std::string> names = listed(fields, &StateFieldInfo::name);
   if (const std::string wanted(meant(name)); wanted != name)
-    return fmt::format("{} means {} here, and there is no state field {}{}", quote(name),
-                       quote(wanted), quote(wanted), did_you_mean(wanted, names));
+    return fmt::format("{} means {} here, and {} {}{}", quote(name), quote(wanted), none_,
+                       quote(wanted), nearest_or_all(wanted, names));
   for (const auto& layer : renames_)
     for (const FieldRename& rename : layer)
       names.push_back(rename.from);
-  return fmt::format("there is no state field {}{}", quote(name), did_you_mean(name, names));
+  return fmt::format("{} {}{}", none_, quote(name), nearest_or_all(name, names));
 }
 
 std::vector<FieldRename> FieldNames::pop() {

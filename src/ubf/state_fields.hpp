@@ -94,6 +94,11 @@ struct FieldRename {
 /// of them, outermost first.
 class FieldNames {
  public:
+  FieldNames() = default;
+  /// Of fields that are no state's: what one is called, and how it is said that one is not there.
+  FieldNames(std::string one, std::string none) : one_(std::move(one)), none_(std::move(none)) {}
+  [[nodiscard]] const std::string& one() const { return one_; }
+
   /// The index of the field called `name` here, or the number of fields.
   [[nodiscard]] std::size_t find(std::span<const StateFieldInfo> fields, std::string_view name);
   /// What is said of a name that find() does not know.
@@ -106,6 +111,7 @@ class FieldNames {
  private:
   [[nodiscard]] std::string_view meant(std::string_view name);
 
+  std::string one_ = "a state field", none_ = "there is no state field";
   std::vector<std::vector<FieldRename>> renames_;
 };
 

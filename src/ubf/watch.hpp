@@ -42,8 +42,8 @@ class TransitionLog {
   std::size_t count_ = 0, dropped_ = 0;
 };
 
-/// An answer that means nothing: a vote that is none, or a field that is NaN, infinite or beyond
-/// what is plausible. Whoever gives it is taken to have failed.
+/// An answer that means nothing: a vote or a status that is none, or a field that is NaN, infinite
+/// or beyond what is plausible. Whoever gives it is taken to have failed.
 struct Mistake {
   NodeIndex node = kNone;
   std::string what;  ///< "votes what means nothing: vote is nan"

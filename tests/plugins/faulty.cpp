@@ -57,6 +57,8 @@ class Misbehave final : public pilot::Behavior {
       case 12:
         out.vote = std::numeric_limits<float>::infinity();
         break;
+      case 13:
+        return static_cast<pilot::Status>(7);
       case 20:
         throw std::runtime_error("no fuel");
       case 21:

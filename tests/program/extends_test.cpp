@@ -125,7 +125,7 @@ TEST(Validate, ChecksPackages) {
   EXPECT_EQ(bad.err,
             "bad.yaml:2:7: there is no node 'winner_takes_al'; did you mean 'winner_takes_all'?\n"
             "bad.yaml:2:41: vote: expected a plain number such as '0.5', got 'ten'\n"
-            "bad.yaml:2:55: there is no tree 'b'\n"
+            "bad.yaml:2:55: there is no tree 'b', only a\n"
             "bad.yaml:3:28: unknown gun 'm62'; did you mean 'm61'?\n");
 }
 

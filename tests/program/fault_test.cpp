@@ -95,6 +95,10 @@ TEST_F(Fault, NamesWhoVotesWhatMeansNothing) {
   ends(leaf(12), words + "inf");
 }
 
+TEST_F(Fault, NamesWhoAnswersWithAStatusThatIsNone) {
+  ends(leaf(13), kWho + "answers what means nothing: status is 7");
+}
+
 TEST_F(Fault, NamesWhoThrew) {
   ends(leaf(20), kWho + "threw: no fuel");
   ends(leaf(21), kWho + "threw something that is no std::exception");
