@@ -89,7 +89,8 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
         render_mode: None = None,
     ) -> None:
         self._native = Native(task, 1, 1, set, opponents, rewards, privileged)
-        self.render_mode = no_drawing(render_mode)
+        no_drawing(render_mode)
+        self.render_mode = None
         self.observation_space = self._native.observation_space()
         self.action_space = self._native.action_space()
 
@@ -159,7 +160,8 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
     ) -> None:
         self._native = Native(task, num_envs, threads, set, opponents, rewards, privileged)
         self.num_envs = num_envs
-        self.render_mode = no_drawing(render_mode)
+        no_drawing(render_mode)
+        self.render_mode = None
         self._copy = copy
         self.single_observation_space = self._native.observation_space()
         self.single_action_space = self._native.action_space()
