@@ -232,12 +232,11 @@ std::optional<std::vector<Evidence>> prove(const Search& search, const Cell& fou
   Spec spec = search.spec;
   spec.seeds = {.first = search.seed_of_generation(search.generations), .paired = true};
   spec.replicates = search.proof;
-  std::vector<std::string> sets = sets_of(search.spec, found);
-  sets.erase(sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(search.spec.sets.size()));
+  spec.sets.clear();
   spec.factors = {{.name = "search",
                    .where = {},
                    .paths = {},
-                   .levels = {{"before", {}}, {"after", std::move(sets)}},
+                   .levels = {{"before", search.spec.sets}, {"after", sets_of(search.spec, found)}},
                    .distribution = {}}};
   const std::vector<Cell> cells{{{"before"}}, {{"after"}}};
   std::array<std::vector<std::vector<double>>, 2> values;  // by cell and replicate

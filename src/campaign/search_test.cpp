@@ -172,6 +172,9 @@ measures:
   Store store(folder / "out", spec, cells, {}, false);
   Threads crew(spec, cells, duel, 2);
   EXPECT_EQ(run(spec, cells, store, crew, [](const Standing&) {}), Ended::complete);
+  EXPECT_EQ(command_of(spec, cells[0]),
+            "eyrie fly duel_defense --set 'blue.flights.eagle.start.east=-12 nmi' "
+            "--set 'until=120 s'");
   const auto comparisons = compare(folder / "out", read_summary(folder / "out"));
   ASSERT_EQ(comparisons.size(), 2U);
   for (const Comparison& c : comparisons) {

@@ -242,10 +242,15 @@ std::vector<Cell> cells_of(const Spec& spec) {
 }
 
 std::vector<std::string> sets_of(const Spec& spec, const Cell& cell) {
-  std::vector<std::string> sets = spec.sets;
+  std::vector<std::string> own;
   for (std::size_t f = 0; f < spec.factors.size(); ++f)
     for (std::string& set : spec.factors[f].sets_of(cell.values[f]))
-      sets.push_back(std::move(set));
+      own.push_back(std::move(set));
+  std::vector<std::string> sets;
+  for (const std::string& set : spec.sets)
+    if (std::ranges::none_of(own, [&](const auto& later) { return scenario::covers(later, set); }))
+      sets.push_back(set);
+  sets.insert(sets.end(), own.begin(), own.end());
   return sets;
 }
 

@@ -306,6 +306,25 @@ measures: {seed: {what: end_time}}
       << table;
 }
 
+TEST_F(Campaign, LeavesOutOfTheCommandOfACellWhatTheCellSetsOtherwise) {
+  folder.write("c.yaml", R"(eyrie: 1
+name: ends
+scenario: small.yaml
+set: ['"until"=5 s']
+factors: {end: {levels: {set: blue.flights.eagle.start.speed=400 kt, own: until=3 s}}}
+replicates: 1
+measures: {ended: {what: end_time}}
+)");
+  ASSERT_EQ(run("out").code, 0);
+  const Ran said = run_program(folder, {"query", "out", "SELECT command FROM cells"});
+  EXPECT_EQ(said.out,
+            "command\n\"eyrie fly small.yaml --set '\"\"until\"\"=5 s' "
+            "--set 'blue.flights.eagle.start.speed=400 kt'\"\n"
+            "eyrie fly small.yaml --set 'until=3 s'\n");
+  EXPECT_EQ(run_program(folder, {"query", "out", "SELECT ended FROM replicates"}).out,
+            "ended\n5\n3\n");
+}
+
 TEST_F(Campaign, FliesAgainWhatIncludesFilesAboveItsFolder) {
   folder.write("c.yaml", fmt::format(R"(eyrie: 1
 name: above
