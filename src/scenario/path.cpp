@@ -52,6 +52,17 @@ bool covers(std::string_view path, std::string_view other) {
          std::equal(keys.begin(), keys.end(), below.begin());
 }
 
+std::vector<SetTwice> set_twice(std::span<const std::string> sets) {
+  std::vector<SetTwice> all;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const auto again = std::find_if(sets.begin() + static_cast<std::ptrdiff_t>(i) + 1, sets.end(),
+                                    [&](const auto& later) { return covers(later, sets[i]); });
+    if (again != sets.end())
+      all.push_back({i, static_cast<std::size_t>(again - sets.begin())});
+  }
+  return all;
+}
+
 std::size_t path_size(std::string_view text) {
   bool in_quotes = false;
   for (std::size_t i = 0; i < text.size(); ++i) {

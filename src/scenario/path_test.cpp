@@ -23,5 +23,13 @@ TEST(Path, CoversNothingElse) {
   EXPECT_FALSE(covers("", "until"));
 }
 
+TEST(Path, SetAgainCountsWhereTheLaterCoversTheEarlier) {
+  const std::vector<std::string> sets{"a.b=1", "until=3 s", "a={c: 2}", "a.d=3", "a=4"};
+  std::vector<std::pair<std::size_t, std::size_t>> twice;
+  for (const auto& [first, again] : set_twice(sets))
+    twice.emplace_back(first, again);
+  EXPECT_EQ(twice, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 2}, {2, 4}, {3, 4}}));
+}
+
 }  // namespace
 }  // namespace eyrie::scenario
