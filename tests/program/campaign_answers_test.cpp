@@ -2,6 +2,7 @@
 /// \file  What a campaign says when it is asked: its report, SQL, and replicates flown again.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 
@@ -200,6 +201,20 @@ TEST_F(Campaign, RefusesResultsThatAreNone) {
       EXPECT_EQ(ran.code, 2) << command[0] << foreign << ran.err;
       EXPECT_EQ(ran.out, "");
     }
+  }
+}
+
+TEST_F(Campaign, WaitsForNoPipeInThePlaceOfResults) {
+  std::filesystem::create_directory(folder / "out");
+  ASSERT_EQ(::mkfifo((folder / "out/results.db").c_str(), 0600), 0);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"report", "out"},
+        {"campaign", "c.yaml", "--out", "out", "--resume"},
+        {"query", "out", "SELECT * FROM replicates"},
+        {"query", "out", "--decisions", "1 s"}}) {
+    const Ran ran = run_program(folder, command);
+    EXPECT_EQ(ran.code, 2) << command[0];
+    EXPECT_EQ(ran.err, "eyrie: 'out/results.db' is a pipe, not a file\n");
   }
 }
 
