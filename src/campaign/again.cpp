@@ -216,6 +216,17 @@ LastDecisions last_decisions(const std::shared_ptr<const scenario::Scenario>& sc
   return found;
 }
 
+std::optional<LookedAt> looked_at(Database& database) {
+  if (!database.prepare("SELECT 1 FROM sqlite_master WHERE name = 'looked_at'").step())
+    return std::nullopt;
+  Statement counted = database.prepare(
+      "SELECT count(*), (SELECT count(*) FROM replicates WHERE outcome <> 'fault'), max(window_s) "
+      "FROM looked_at WHERE window_s = (SELECT max(window_s) FROM looked_at)");
+  counted.step();
+  return LookedAt{static_cast<std::uint64_t>(counted.integer(0)),
+                  static_cast<std::uint64_t>(counted.integer(1)), counted.number(2)};
+}
+
 void add_last_decisions(const std::string& folder, double window, unsigned workers,
                         const std::vector<std::string>& plugins,
                         const std::function<bool(std::uint64_t, std::uint64_t)>& tell) {

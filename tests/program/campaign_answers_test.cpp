@@ -263,6 +263,13 @@ measures:
             "0\n");
   EXPECT_EQ(asked("SELECT count(*) FROM decisions WHERE before_s NOT BETWEEN 0 AND 5"), "0\n");
 
+  sql::Database(folder / "out/results.db", sql::Database::Access::write)
+      .run("DELETE FROM looked_at WHERE replicate > 1; PRAGMA journal_mode=DELETE");
+  EXPECT_EQ(run_program(folder, {"query", "out", "SELECT count(*) > 0 FROM Losses"}).err,
+            "eyrie: losses and decisions of the last 5 s are there of 2 of 5 replicates; "
+            "--decisions adds the others\n");
+  EXPECT_EQ(run_program(folder, {"query", "out", "SELECT count(*) FROM cells"}).err, "");
+
   // and every query of the page
   const std::string page = read_text(source_root() + "/docs/campaigns.md");
   const std::string begin = "```sql\n";
