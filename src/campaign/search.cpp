@@ -137,7 +137,7 @@ Cell cell_at(const Search& search, std::span<const double> point) {
 
 SearchLog::SearchLog(const Search& search, std::string_view origin, const std::string& text,
                      const std::string& file)
-    : file_(file) {
+    : share_(search.best->kind == Measure::share), file_(file) {
   text_ = fmt::format("# {}\ngeneration,candidate,{},{}\n", origin, search.measure,
                       fmt::join(listed(search.spec.factors, &Factor::name), ","));
   if (text.empty())
@@ -158,7 +158,9 @@ SearchLog::Seen SearchLog::next(std::uint64_t generation, std::size_t candidate,
   const std::size_t end = std::min(line.find(',', begin), line.size());
   const std::string_view text = std::string_view(line).substr(begin, end - begin);
   const auto score = number_from<double>(text);
-  if (line != line_of(generation, candidate, cell, text) || (!score && text != "none"))
+  const bool possible =
+      score ? std::isfinite(*score) && (!share_ || (*score >= 0 && *score <= 1)) : text == "none";
+  if (line != line_of(generation, candidate, cell, text) || !possible)
     throw ConfigError({file_, static_cast<int>(at_) + 2, 1},
                       "is not what this search has drawn there: the file was changed");
   return {true, score};
