@@ -7,6 +7,7 @@
 #include "campaign/store.hpp"
 #include "core/hash.hpp"
 #include "debrief/decision.hpp"
+#include "record/event_table.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::campaign {
@@ -126,7 +127,7 @@ class Losses final : public sim::Observer {
     for (const sim::Event& e : events)
       if (const auto fate = record::fate_of(e);
           fate && fate->end == "lost" && roster_.find(fate->who))
-        all.push_back({fate->who, e.whom ? e.who : PlayerId{}, info.time() + info.dt});
+        all.push_back({fate->who, e.whom ? e.who : PlayerId{}, record::time_after(info)});
   }
   std::vector<Loss> all;
 

@@ -261,6 +261,8 @@ measures:
                   "decisions d WHERE (d.cell, d.replicate, d.loss) = (l.cell, l.replicate, l.loss) "
                   "AND before_s BETWEEN 0 AND 5) NOT BETWEEN 45 AND 51"),
             "0\n");
+  EXPECT_EQ(asked("SELECT count(*) FROM losses WHERE time_s <> round(time_s * 50) * 0.02"), "0\n")
+      << "as the steps of the clock, without rounding";
   EXPECT_EQ(asked("SELECT count(*) FROM decisions WHERE before_s NOT BETWEEN 0 AND 5"), "0\n");
 
   sql::Database(folder / "out/results.db", sql::Database::Access::write)
