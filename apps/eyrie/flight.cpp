@@ -2,7 +2,6 @@
 #include "flight.hpp"
 
 #include <filesystem>
-#include <map>
 
 #include "command.hpp"
 #include "core/text.hpp"
@@ -56,21 +55,24 @@ struct Beside {
   }
 };
 
-/// The last would win, and the others do nothing.
+/// The last would win, and the others do nothing; options win over every --set.
 void refuse_what_is_set_twice(const FlyOptions& options) {
-  std::map<std::string, std::string> setters;  // by path
-  if (options.seed || !options.seeds.empty())
-    setters["seed"] = options.seed ? "--seed" : "--seeds";
-  if (!options.until.empty())
-    setters["until"] = "--until";
-  if (!options.ours.empty())
-    setters["ours"] = "--ours";
-  for (const std::string& set : options.sets) {
-    const std::string path = set.substr(0, scenario::path_size(set));
-    const auto [other, fresh] = setters.emplace(path, "--set " + quote(set));
-    if (!fresh)
-      refuse("eyrie: --set {}: {} sets {}, too", quote(set), Composed{other->second}, quote(path));
-  }
+  std::vector<std::string> paths = options.sets, setters;
+  for (const std::string& set : options.sets)
+    setters.push_back("--set " + quote(set));
+  const auto add = [&](bool given, std::string_view path, std::string_view option) {
+    if (given) {
+      paths.emplace_back(path);
+      setters.emplace_back(option);
+    }
+  };
+  add(options.seed.has_value(), "seed", "--seed");
+  add(!options.seeds.empty(), "seed", "--seeds");
+  add(!options.until.empty(), "until", "--until");
+  add(!options.ours.empty(), "ours", "--ours");
+  for (const auto& [first, again] : scenario::set_twice(paths))
+    refuse("eyrie: {}: {} sets {}, too", Composed{setters[first]}, Composed{setters[again]},
+           quote(paths[first].substr(0, scenario::path_size(paths[first]))));
 }
 
 }  // namespace

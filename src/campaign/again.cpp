@@ -7,6 +7,7 @@
 #include "campaign/store.hpp"
 #include "core/hash.hpp"
 #include "debrief/decision.hpp"
+#include "record/event_table.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::campaign {
@@ -126,7 +127,7 @@ class Losses final : public sim::Observer {
     for (const sim::Event& e : events)
       if (const auto fate = record::fate_of(e);
           fate && fate->end == "lost" && roster_.find(fate->who))
-        all.push_back({fate->who, e.whom ? e.who : PlayerId{}, info.time() + info.dt});
+        all.push_back({fate->who, e.whom ? e.who : PlayerId{}, record::time_after(info)});
   }
   std::vector<Loss> all;
 
@@ -214,6 +215,17 @@ LastDecisions last_decisions(const std::shared_ptr<const scenario::Scenario>& sc
       before = again.run().world();
   } while (again.step());
   return found;
+}
+
+std::optional<LookedAt> looked_at(Database& database) {
+  if (!database.prepare("SELECT 1 FROM sqlite_master WHERE name = 'looked_at'").step())
+    return std::nullopt;
+  Statement counted = database.prepare(
+      "SELECT count(*), (SELECT count(*) FROM replicates WHERE outcome <> 'fault'), max(window_s) "
+      "FROM looked_at WHERE window_s = (SELECT max(window_s) FROM looked_at)");
+  counted.step();
+  return LookedAt{static_cast<std::uint64_t>(counted.integer(0)),
+                  static_cast<std::uint64_t>(counted.integer(1)), counted.number(2)};
 }
 
 void add_last_decisions(const std::string& folder, double window, unsigned workers,

@@ -83,6 +83,14 @@ struct LastDecisions {
 [[nodiscard]] LastDecisions last_decisions(
     const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t seed, double window);
 
+/// Of how many of all replicates without a fault the tables `losses` and `decisions` tell, with the
+/// longest window that was asked for; nothing without such tables.
+struct LookedAt {
+  std::uint64_t replicates, of;
+  double window;  ///< s; NaN if none was looked at
+};
+[[nodiscard]] std::optional<LookedAt> looked_at(Database& database);
+
 /// Fills the tables `losses` and `decisions` of a campaign with those of every replicate, flown
 /// again on so many threads from what is in the database; what is there already stays. `tell` gets
 /// how many of how many, and stops it by false. Throws disk::Refused if a replicate is another one

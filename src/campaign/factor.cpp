@@ -10,6 +10,7 @@
 #include "core/bind.hpp"
 #include "core/math.hpp"
 #include "core/text.hpp"
+#include "scenario/path.hpp"
 
 namespace eyrie::campaign {
 namespace {
@@ -133,7 +134,7 @@ class Reader {
   std::vector<std::string> texts(const Value& v, std::string_view what) {
     std::vector<std::string> all;
     for (const Value& item : v.is_list() ? std::span(v.items) : std::span(&v, 1)) {
-      const bool set = item.text.find('=') != item.text.npos;
+      const bool set = scenario::path_size(item.text) < item.text.size();
       if (item.is_scalar() && !item.text.empty() && set == (what == "path=value"))
         all.push_back(item.text);
       else
@@ -259,6 +260,14 @@ std::vector<std::string> Factor::sets_of(const std::string& value) const {
   return sets_to(value, paths);
 }
 
+std::set<std::string> Factor::all_paths() const {
+  std::set<std::string> all(paths.begin(), paths.end());
+  for (const Level& level : levels)
+    for (const std::string& set : level.sets)
+      all.insert(set.substr(0, scenario::path_size(set)));
+  return all;
+}
+
 std::vector<Factor> read_factors(const Value& map, Diagnostics& diagnostics) {
   if (!map.is_map()) {
     diagnostics.error(map.where, "factors: expected a map, got " + map.shown());
@@ -270,17 +279,6 @@ std::vector<Factor> read_factors(const Value& map, Diagnostics& diagnostics) {
       diagnostics.error(e.where, *problem);
     else
       factors.push_back(Reader(e, diagnostics).read());
-  std::map<std::string, std::string> setters;  // by path
-  for (const Factor& factor : factors) {
-    std::vector<std::string> paths = factor.paths;
-    for (const Level& level : factor.levels)
-      for (const std::string& set : level.sets)
-        paths.push_back(set.substr(0, set.find('=')));
-    for (const std::string& path : paths)
-      if (const auto& by = setters.emplace(path, factor.name).first->second; by != factor.name)
-        diagnostics.error(factor.where, "{}: {} is set by {}, which would do nothing", factor.name,
-                          quote(path), by);
-  }
   return factors;
 }
 

@@ -13,6 +13,7 @@
 /// and `!normal {mean: .., deviation: ..}`.
 #include <cstdint>
 #include <optional>
+#include <set>
 
 #include "core/value.hpp"
 
@@ -53,6 +54,8 @@ struct Factor {
   /// The level, or the value in six digits (more in a narrow distribution) with its unit, for a
   /// number in (0, 1).
   [[nodiscard]] std::string value_at(double u) const;
+  /// Those that any of its values sets, each as it is written.
+  [[nodiscard]] std::set<std::string> all_paths() const;
   /// What a value of value_at() sets.
   [[nodiscard]] std::vector<std::string> sets_of(const std::string& value) const;
 };

@@ -137,7 +137,7 @@ Cell cell_at(const Search& search, std::span<const double> point) {
 
 SearchLog::SearchLog(const Search& search, std::string_view origin, const std::string& text,
                      const std::string& file)
-    : file_(file) {
+    : share_(search.best->kind == Measure::share), file_(file) {
   text_ = fmt::format("# {}\ngeneration,candidate,{},{}\n", origin, search.measure,
                       fmt::join(listed(search.spec.factors, &Factor::name), ","));
   if (text.empty())
@@ -158,7 +158,9 @@ SearchLog::Seen SearchLog::next(std::uint64_t generation, std::size_t candidate,
   const std::size_t end = std::min(line.find(',', begin), line.size());
   const std::string_view text = std::string_view(line).substr(begin, end - begin);
   const auto score = number_from<double>(text);
-  if (line != line_of(generation, candidate, cell, text) || (!score && text != "none"))
+  const bool possible =
+      score ? std::isfinite(*score) && (!share_ || (*score >= 0 && *score <= 1)) : text == "none";
+  if (line != line_of(generation, candidate, cell, text) || !possible)
     throw ConfigError({file_, static_cast<int>(at_) + 2, 1},
                       "is not what this search has drawn there: the file was changed");
   return {true, score};
@@ -232,12 +234,11 @@ std::optional<std::vector<Evidence>> prove(const Search& search, const Cell& fou
   Spec spec = search.spec;
   spec.seeds = {.first = search.seed_of_generation(search.generations), .paired = true};
   spec.replicates = search.proof;
-  std::vector<std::string> sets = sets_of(search.spec, found);
-  sets.erase(sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(search.spec.sets.size()));
+  spec.sets.clear();
   spec.factors = {{.name = "search",
                    .where = {},
                    .paths = {},
-                   .levels = {{"before", {}}, {"after", std::move(sets)}},
+                   .levels = {{"before", search.spec.sets}, {"after", sets_of(search.spec, found)}},
                    .distribution = {}}};
   const std::vector<Cell> cells{{{"before"}}, {{"after"}}};
   std::array<std::vector<std::vector<double>>, 2> values;  // by cell and replicate

@@ -66,7 +66,8 @@ class SearchLog {
   SearchLog(const Search& search, std::string_view origin, const std::string& text,
             const std::string& file);
 
-  /// The score of the next candidate if it is in the earlier log, whose values must be these.
+  /// The score of the next candidate if it is in the earlier log. Throws ConfigError if that has
+  /// other values, or a score that no flights have.
   struct Seen {
     bool known = false;
     std::optional<double> score{};
@@ -79,6 +80,7 @@ class SearchLog {
  private:
   std::vector<std::string> earlier_;
   std::size_t at_ = 0;  ///< line of `earlier_`
+  bool share_;          ///< so is the measure: no score is below 0 or above 1
   std::string file_, text_;
 };
 

@@ -133,6 +133,30 @@ TEST(Search, GoesOnAsIfItHadNotBeenInterrupted) {
   EXPECT_THROW((void)optimize(*search, duel, changed, run), ConfigError);
 }
 
+TEST(Search, BelievesNoScoreThatNoFlightsHave) {
+  const Cell cell{{"-5 nmi", "80 s"}};
+  const auto knows = [&](const std::string& measure, const std::string& score) {
+    std::string text = search_with("measure: shot", "measure: " + measure);
+    text += "  won: {what: outcome, is: [time]}\n";
+    const auto search = parse_search(text, "s.yaml");
+    const std::string head = SearchLog(*search, "here", "", "log").text();
+    SearchLog log(*search, "here", head + "0,0," + score + ",\"-5 nmi\",\"80 s\"\n", "log");
+    try {
+      return log.next(0, 0, cell).known;
+    } catch (const ConfigError& error) {
+      EXPECT_STREQ(error.what(),
+                   "log:3:1: is not what this search has drawn there: the file was changed");
+      return false;
+    }
+  };
+  EXPECT_TRUE(knows("won", "0.5"));
+  EXPECT_TRUE(knows("won", "none"));
+  EXPECT_TRUE(knows("shot", "-0.5"));
+  for (const char* score : {"-0.5", "1.5", "inf", "nan"})
+    EXPECT_FALSE(knows("won", score)) << score;
+  EXPECT_FALSE(knows("shot", "inf"));
+}
+
 TEST(Search, ComparesOnFreshSeedsWhatItFound) {
   const auto search = parse_search(kSearch, "s.yaml");
   const auto evidence = prove(*search, {{"-5 nmi", "80 s"}}, duel, {.workers = 2});
@@ -172,6 +196,9 @@ measures:
   Store store(folder / "out", spec, cells, {}, false);
   Threads crew(spec, cells, duel, 2);
   EXPECT_EQ(run(spec, cells, store, crew, [](const Standing&) {}), Ended::complete);
+  EXPECT_EQ(command_of(spec, cells[0]),
+            "eyrie fly duel_defense --set 'blue.flights.eagle.start.east=-12 nmi' "
+            "--set 'until=120 s'");
   const auto comparisons = compare(folder / "out", read_summary(folder / "out"));
   ASSERT_EQ(comparisons.size(), 2U);
   for (const Comparison& c : comparisons) {

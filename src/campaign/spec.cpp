@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 
 #include "core/bind.hpp"
 #include "core/yaml.hpp"
@@ -66,6 +65,14 @@ Design read_design(const Value& value, Diagnostics& diagnostics) {
   return design;
 }
 
+constexpr std::string_view kSeed = "seed";
+constexpr std::string_view kIdleSeed = "'seed' does nothing here: 'seeds' says which are flown";
+
+/// Of `path=value`, or a path alone.
+std::string quoted_path(std::string_view set) {
+  return quote(set.substr(0, scenario::path_size(set)));
+}
+
 /// Where each of the texts of a key stands.
 std::vector<Location> places_of(const Value& document, std::string_view key) {
   std::vector<Location> all;
@@ -76,25 +83,52 @@ std::vector<Location> places_of(const Value& document, std::string_view key) {
   return all;
 }
 
-/// What `set:` says that does nothing.
+/// The first path of one factor that another one sets, too; nothing if there is none.
+std::optional<std::string> shared_path(const Factor& one, const Factor& other) {
+  for (const std::string& path : one.all_paths())
+    for (const std::string& theirs : other.all_paths())
+      if (scenario::covers(theirs, path))
+        return path;
+      else if (scenario::covers(path, theirs))
+        return theirs;
+  return std::nullopt;
+}
+
+/// What a factor says that does nothing.
+void refuse_idle(const Factor& factor, Diagnostics& diagnostics) {
+  const auto refuse_twice = [&](std::span<const std::string> sets, const Location& where) {
+    for (const auto& [first, again] : scenario::set_twice(sets))
+      diagnostics.error(where, "{}: {} is set twice", factor.name, quoted_path(sets[first]));
+  };
+  refuse_twice(factor.paths, factor.where);
+  for (const Level& level : factor.levels)
+    if (factor.paths.empty())
+      refuse_twice(level.sets, level.where);
+  for (const std::string& path : factor.all_paths())
+    if (scenario::covers(kSeed, path))
+      diagnostics.error(factor.where, "{}: {}", factor.name, kIdleSeed);
+}
+
+/// What `set:` and the factors say that does nothing.
 void refuse_idle_sets(const Spec& spec, Diagnostics& diagnostics) {
-  constexpr std::string_view kSeed = "'seed' does nothing here: 'seeds' says which are flown";
-  std::map<std::string, std::size_t> first;
-  for (std::size_t i = 0; i < spec.sets.size() && i < spec.sets_where.size(); ++i) {
-    const std::string& set = spec.sets[i];
-    const Location& where = spec.sets_where[i];
-    const std::string path = set.substr(0, scenario::path_size(set));
-    if (path.size() == set.size())
-      diagnostics.error(where, "set: expected path=value, got {}", quote(set));
-    else if (path == "seed")
-      diagnostics.error(where, "set: {}", kSeed);
-    else if (const auto [there, fresh] = first.emplace(path, i); !fresh)
-      diagnostics.error(where, "set: {} is set twice (also at {})", quote(path),
-                        spec.sets_where[there->second].text());
+  const std::size_t read = std::min(spec.sets.size(), spec.sets_where.size());
+  for (std::size_t i = 0; i < read; ++i)
+    if (scenario::path_size(spec.sets[i]) == spec.sets[i].size())
+      diagnostics.error(spec.sets_where[i], "set: expected path=value, got {}",
+                        quote(spec.sets[i]));
+    else if (scenario::covers(kSeed, spec.sets[i]))
+      diagnostics.error(spec.sets_where[i], "set: {}", kIdleSeed);
+  for (const auto& [first, again] : scenario::set_twice(std::span(spec.sets).first(read)))
+    diagnostics.error(spec.sets_where[again], "set: {} is set twice (also at {})",
+                      quoted_path(spec.sets[first]), spec.sets_where[first].text());
+  for (std::size_t f = 0; f < spec.factors.size(); ++f) {
+    const Factor& factor = spec.factors[f];
+    refuse_idle(factor, diagnostics);
+    for (const Factor& before : std::span(spec.factors).first(f))
+      if (const auto path = shared_path(factor, before))
+        diagnostics.error(factor.where, "{}: {} is set by {}, too: one would undo the other",
+                          factor.name, quote(*path), before.name);
   }
-  for (const Factor& factor : spec.factors)
-    if (std::ranges::find(factor.paths, "seed") != factor.paths.end())
-      diagnostics.error(factor.where, "{}: {}", factor.name, kSeed);
 }
 
 std::string refuses(std::string_view what, std::string_view value) {
@@ -242,10 +276,15 @@ std::vector<Cell> cells_of(const Spec& spec) {
 }
 
 std::vector<std::string> sets_of(const Spec& spec, const Cell& cell) {
-  std::vector<std::string> sets = spec.sets;
+  std::vector<std::string> own;
   for (std::size_t f = 0; f < spec.factors.size(); ++f)
     for (std::string& set : spec.factors[f].sets_of(cell.values[f]))
-      sets.push_back(std::move(set));
+      own.push_back(std::move(set));
+  std::vector<std::string> sets;
+  for (const std::string& set : spec.sets)
+    if (std::ranges::none_of(own, [&](const auto& later) { return scenario::covers(later, set); }))
+      sets.push_back(set);
+  sets.insert(sets.end(), own.begin(), own.end());
   return sets;
 }
 

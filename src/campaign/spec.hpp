@@ -121,7 +121,7 @@ struct Spec {
 void check_parts(const Spec& spec);
 
 [[nodiscard]] std::vector<Cell> cells_of(const Spec& spec);
-/// Every override of a cell, those of all cells first.
+/// Every override of a cell, those of all cells first, but for what the cell itself sets.
 [[nodiscard]] std::vector<std::string> sets_of(const Spec& spec, const Cell& cell);
 /// "zone 1.2, crank 44 deg"
 [[nodiscard]] std::string cell_text(const Spec& spec, const Cell& cell);

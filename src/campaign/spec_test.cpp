@@ -186,6 +186,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "c.yaml:4:7: set: 'seed' does nothing here: 'seeds' says which are flown"},
         Mistake{"until=60 min", "until=60 min, until=50 min",
                 "c.yaml:4:21: set: 'until' is set twice (also at c.yaml:4:7)"},
+        Mistake{"until=60 min", "a.0=1, 'a.\"0\"=2'",
+                "c.yaml:4:14: set: 'a.0' is set twice (also at c.yaml:4:7)"},
         Mistake{"[red_lost]", "[running]", "c.yaml:14:28: won: no flight ends 'running'"},
         Mistake{"{first: 10}", "{first: 10 s}",
                 "c.yaml:11:16: seeds.first: expected a whole number, got '10 s'"},
@@ -227,8 +229,22 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"veteran: blue.flights.eagle.tree=veteran", "veteran: blue.flights.eagle.tree",
                 "c.yaml:9:16: tree: expected path=value, got 'blue.flights.eagle.tree'"},
         Mistake{"same: [blue.flights.eagle.tree=veteran", "same: [blue.flights.eagle.bingo=2 t",
-                "c.yaml:7:3: tree: 'blue.flights.eagle.bingo' is set by bingo, which would do "
-                "nothing"},
+                "c.yaml:7:3: tree: 'blue.flights.eagle.bingo' is set by bingo, too: one would "
+                "undo the other"},
+        Mistake{"same: [blue.flights.eagle.tree=veteran", "same: ['\"blue\"=[]'",
+                "c.yaml:7:3: tree: 'blue.flights.eagle.bingo' is set by bingo, too: one would "
+                "undo the other"},
+        Mistake{"path: blue.flights.eagle.bingo, values: [1800 kg, 2200 kg]",
+                "path: until, values: [1 s, 2 s]}\n  end: {path: '\"until\"', values: [3 s, 4 s]",
+                "c.yaml:7:3: end: '\"until\"' is set by bingo, too: one would undo the other"},
+        Mistake{"path: blue.flights.eagle.bingo", "path: [a.0.b, a.00.b]",
+                "c.yaml:6:3: bingo: 'a.0.b' is set twice"},
+        Mistake{"same: [blue.flights.eagle.tree=veteran", "same: [x=1, x=2",
+                "c.yaml:10:7: tree: 'x' is set twice"},
+        Mistake{"same: [blue.flights.eagle.tree=veteran", "same: [seed=1",
+                "c.yaml:7:3: tree: 'seed' does nothing here: 'seeds' says which are flown"},
+        Mistake{"path: blue.flights.eagle.bingo", "path: '\"seed\"'",
+                "c.yaml:6:3: bingo: 'seed' does nothing here: 'seeds' says which are flown"},
         // designs
         Mistake{"seeds:", "design: sobel\nseeds:",
                 "c.yaml:11:9: kind: expected one of full_factorial, one_at_a_time, "

@@ -12,7 +12,6 @@
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "disk/output.hpp"
-#include "record/csv.hpp"
 
 namespace eyrie::campaign {
 namespace {
@@ -83,6 +82,59 @@ std::uint64_t hash_of(std::string_view text) {
   return hash;
 }
 
+/// Every result, by cell and replicate.
+void each_of(Database& database, const std::function<void(const Result&)>& use) {
+  Statement all = database.prepare(
+      "SELECT r.*, f.what FROM replicates r LEFT JOIN faults f USING (cell, replicate) "
+      "ORDER BY r.cell, r.replicate");
+  const auto whole = [&](int column) { return static_cast<std::uint64_t>(all.integer(column)); };
+  const int what = all.columns() - 1;
+  while (all.step()) {
+    Result result{
+        whole(0),
+        whole(1),
+        {.seed = whole(2),
+         .steps = whole(5),
+         .hash = hash_of(all.text(6)),
+         .outcome = enum_named<scenario::Outcome>(all.text(3)).value_or(scenario::Outcome::fault),
+         .time = all.number(4),
+         .fault = all.text(what)}};
+    for (int i = kFirstColumn; i < what && all.is_null(what); ++i)
+      result.values.push_back(all.number(i));
+    use(result);
+  }
+}
+
+/// Of all results.
+std::uint64_t hash_of(Database& database) {
+  Hasher hasher;
+  const auto number = [&](double x) {
+    hasher.word(x == x ? std::bit_cast<std::uint64_t>(x) : ~std::uint64_t{0});
+  };
+  each_of(database, [&](const Result& r) {
+    for (const std::uint64_t word : {r.cell, r.replicate, r.flown.seed, r.flown.steps, r.flown.hash,
+                                     static_cast<std::uint64_t>(r.flown.outcome),
+                                     static_cast<std::uint64_t>(r.flown.fault.size())})
+      hasher.word(word);
+    hasher.bytes(r.flown.fault.data(), r.flown.fault.size());
+    number(r.flown.time);
+    for (const double value : r.values)
+      number(value);
+  });
+  return hasher.value();
+}
+
+/// These are the results that were there when their hash was, if they have one.
+void demand_unchanged(Database& database, const std::string& file) {
+  Statement stored = database.prepare("SELECT value FROM campaign WHERE name = 'hash'");
+  if (!stored.step())
+    return;
+  if (const std::string now = hash_text(hash_of(database)); now != stored.text(0))
+    throw disk::Refused(
+        "{} was changed after it was flown: the hash of what is there is {}, was {}",
+        quote_path(file), now, stored.text(0));
+}
+
 /// s, for which it has been worked on.
 double seconds_in(Database& database) {
   Statement seconds = database.prepare("SELECT value FROM campaign WHERE name = 'seconds'");
@@ -100,7 +152,8 @@ void demand_format(Database& database, const std::string& file) {
                         quote_path(file), quote(said), kFormat);
 }
 
-/// Before anything is written: somebody else's database may have that name, or another origin.
+/// Before anything is written: somebody else's database may have that name, or another origin, or
+/// somebody has changed it.
 void demand_ours(const std::string& file, const Origin& own, const std::string& folder) {
   if (::access(file.c_str(), F_OK) != 0)
     return;
@@ -109,6 +162,7 @@ void demand_ours(const std::string& file, const Origin& own, const std::string& 
   if (begun(there)) {
     demand_format(there, file);
     campaign::demand_the_same(there, own, folder);
+    demand_unchanged(there, file);
   } else if (there.prepare("SELECT 1 FROM sqlite_master").step())
     throw disk::Refused("{} is there already, and is no campaign", quote_path(file));
 }
@@ -289,43 +343,12 @@ double Store::seconds() const {
 
 void Store::each(const std::function<void(const Result&)>& use) {
   flush();
-  Statement all = database_->prepare(
-      "SELECT r.*, f.what FROM replicates r LEFT JOIN faults f USING (cell, replicate) "
-      "ORDER BY r.cell, r.replicate");
-  const auto whole = [&](int column) { return static_cast<std::uint64_t>(all.integer(column)); };
-  const int what = all.columns() - 1;
-  while (all.step()) {
-    Result result{
-        whole(0),
-        whole(1),
-        {.seed = whole(2),
-         .steps = whole(5),
-         .hash = hash_of(all.text(6)),
-         .outcome = enum_named<scenario::Outcome>(all.text(3)).value_or(scenario::Outcome::fault),
-         .time = all.number(4),
-         .fault = all.text(what)}};
-    for (int i = kFirstColumn; i < what && all.is_null(what); ++i)
-      result.values.push_back(all.number(i));
-    use(result);
-  }
+  each_of(*database_, use);
 }
 
 std::uint64_t Store::hash() {
-  Hasher hasher;
-  const auto number = [&](double x) {
-    hasher.word(x == x ? std::bit_cast<std::uint64_t>(x) : ~std::uint64_t{0});
-  };
-  each([&](const Result& r) {
-    for (const std::uint64_t word : {r.cell, r.replicate, r.flown.seed, r.flown.steps, r.flown.hash,
-                                     static_cast<std::uint64_t>(r.flown.outcome),
-                                     static_cast<std::uint64_t>(r.flown.fault.size())})
-      hasher.word(word);
-    hasher.bytes(r.flown.fault.data(), r.flown.fault.size());
-    number(r.flown.time);
-    for (const double value : r.values)
-      number(value);
-  });
-  return hasher.value();
+  flush();
+  return hash_of(*database_);
 }
 
 void Store::finish() {
@@ -345,47 +368,6 @@ Database open_results(const std::string& folder, Database::Access access) {
   database.distrust();
   demand_format(database, file);
   return database;
-}
-
-disk::OutputFile table_in(const std::string& folder) {
-  return {fmt::format("{}/{}", folder, kTableName), true};
-}
-
-std::vector<std::string> columns_of(Database& database, std::string_view table, int first) {
-  const Statement all = database.prepare(fmt::format("SELECT * FROM {}", table));
-  std::vector<std::string> names;
-  for (int i = first; i < all.columns(); ++i)
-    names.push_back(all.column_name(i));
-  return names;
-}
-
-void write_table(Database& database, const std::string& folder) {
-  std::string columns = "r.cell";
-  for (const std::string& name : columns_of(database, "cells", 2))
-    columns += ", c." + sql_name(name);
-  for (const std::string& name : columns_of(database, "replicates", 1))
-    columns += ", r." + sql_name(name);
-  Statement rows = database.prepare(fmt::format(
-      "SELECT {} FROM replicates r JOIN cells c USING (cell) ORDER BY r.cell, r.replicate",
-      columns));
-  disk::OutputFile table = table_in(folder);
-  write_csv(rows, [&](const std::string& line) { table.sink().write(line); });
-  table.commit();
-}
-
-void write_csv(Statement& rows, const std::function<void(const std::string&)>& use) {
-  std::string line;
-  for (int i = 0; i < rows.columns(); ++i)
-    line += (i ? "," : "") + record::csv_text(rows.column_name(i));
-  bool more = rows.step();  // what fails at once writes nothing
-  for (use(line + '\n'); more; more = rows.step()) {
-    line.clear();
-    for (int i = 0; i < rows.columns(); ++i)
-      line += (i ? "," : "") + (rows.is_number(i)  ? fmt::format("{}", rows.number(i))
-                                : rows.is_whole(i) ? rows.text(i)
-                                                   : record::csv_text(rows.text(i)));
-    use(line + '\n');
-  }
 }
 
 }  // namespace eyrie::campaign

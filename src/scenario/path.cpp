@@ -29,7 +29,39 @@ void open_name(Value& item) {
   item.quoted = false;
 }
 
+/// The keys of a path as each spelling of it has them: an index without zeros before it, no
+/// `children` between two others.
+std::vector<std::string> plain_keys(std::string_view path) {
+  Diagnostics ignored;
+  std::vector<std::string> plain;
+  const auto keys = path_keys(path.substr(0, path_size(path)), {}, ignored);
+  for (std::size_t i = 0; keys && i < keys->size(); ++i) {
+    const std::string& key = (*keys)[i].text;
+    const auto index = number_from<std::size_t>(key);
+    if (key != "children" || i + 1 == keys->size())
+      plain.push_back(index ? std::to_string(*index) : key);
+  }
+  return plain;
+}
+
 }  // namespace
+
+bool covers(std::string_view path, std::string_view other) {
+  const std::vector<std::string> keys = plain_keys(path), below = plain_keys(other);
+  return !keys.empty() && keys.size() <= below.size() &&
+         std::equal(keys.begin(), keys.end(), below.begin());
+}
+
+std::vector<SetTwice> set_twice(std::span<const std::string> sets) {
+  std::vector<SetTwice> all;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const auto again = std::find_if(sets.begin() + static_cast<std::ptrdiff_t>(i) + 1, sets.end(),
+                                    [&](const auto& later) { return covers(later, sets[i]); });
+    if (again != sets.end())
+      all.push_back({i, static_cast<std::size_t>(again - sets.begin())});
+  }
+  return all;
+}
 
 std::size_t path_size(std::string_view text) {
   bool in_quotes = false;

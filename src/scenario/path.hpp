@@ -9,6 +9,7 @@
 /// `trees."break.2".vote`.
 #include <map>
 #include <optional>
+#include <span>
 
 #include "core/value.hpp"
 
@@ -26,6 +27,17 @@ struct PathKey {
 
 /// The characters before the first '=' that is not in quotes; all if there is none.
 [[nodiscard]] std::size_t path_size(std::string_view text);
+
+/// Whether setting one path (or `path=value`) leaves nothing of what another one sets: it is the
+/// same or begins it, however the two are spelled: `route."0"` covers `route.00.north`.
+[[nodiscard]] bool covers(std::string_view path, std::string_view other);
+
+/// Of paths (or `path=value`) that are set one after the other, each that a later one covers, and
+/// the first that does.
+struct SetTwice {
+  std::size_t first, again;
+};
+[[nodiscard]] std::vector<SetTwice> set_twice(std::span<const std::string> sets);
 
 /// The list that a key means an item of: the value, or its `children`. Null if it is none.
 [[nodiscard]] Value* list_for(Value& at, std::string_view key);

@@ -126,6 +126,9 @@ Database::Database(const std::string& path, Access access) {
                                               : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   // a relative path may begin with "file:", which is no URI here
   const bool relative = path != ":memory:" && !path.starts_with('/');
+  if (struct stat found{}; disk::files().status(AT_FDCWD, path.c_str(), found, 0) == 0 &&
+                           !S_ISREG(found.st_mode))  // of a pipe SQLite would wait for a writer
+    throw disk::Refused("{} is {}, not a file", quote_path(path), disk::kind_text(found.st_mode));
   const auto open = [&](const char* system) {
     sqlite3* opened = nullptr;
     const int result =

@@ -58,8 +58,9 @@ class Statement {
 class Database {
  public:
   enum class Access { create, write, read };
-  /// ":memory:" is no file. Throws disk::Failed if there is none, or none can be made. One that is
-  /// being written is read as it was at the last commit.
+  /// ":memory:" is no file. Throws disk::Failed if there is none, or none can be made, and
+  /// disk::Refused if it is a pipe, a folder or a device. One that is being written is read as it
+  /// was at the last commit.
   Database(const std::string& path, Access access);
 
   /// From now on no view, trigger or function of the file itself is used: a stranger may have put

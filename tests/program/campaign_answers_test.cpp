@@ -2,6 +2,7 @@
 /// \file  What a campaign says when it is asked: its report, SQL, and replicates flown again.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 
@@ -203,6 +204,20 @@ TEST_F(Campaign, RefusesResultsThatAreNone) {
   }
 }
 
+TEST_F(Campaign, WaitsForNoPipeInThePlaceOfResults) {
+  std::filesystem::create_directory(folder / "out");
+  ASSERT_EQ(::mkfifo((folder / "out/results.db").c_str(), 0600), 0);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"report", "out"},
+        {"campaign", "c.yaml", "--out", "out", "--resume"},
+        {"query", "out", "SELECT * FROM replicates"},
+        {"query", "out", "--decisions", "1 s"}}) {
+    const Ran ran = run_program(folder, command);
+    EXPECT_EQ(ran.code, 2) << command[0];
+    EXPECT_EQ(ran.err, "eyrie: 'out/results.db' is a pipe, not a file\n");
+  }
+}
+
 TEST_F(Campaign, RefusesAPageThatIsThereBeforeItReports) {
   folder.write("c.yaml", changed({"replicates: 40", "replicates: 1"}));
   folder.write("page.html", "kept");
@@ -246,7 +261,16 @@ measures:
                   "decisions d WHERE (d.cell, d.replicate, d.loss) = (l.cell, l.replicate, l.loss) "
                   "AND before_s BETWEEN 0 AND 5) NOT BETWEEN 45 AND 51"),
             "0\n");
+  EXPECT_EQ(asked("SELECT count(*) FROM losses WHERE time_s <> round(time_s * 50) * 0.02"), "0\n")
+      << "as the steps of the clock, without rounding";
   EXPECT_EQ(asked("SELECT count(*) FROM decisions WHERE before_s NOT BETWEEN 0 AND 5"), "0\n");
+
+  sql::Database(folder / "out/results.db", sql::Database::Access::write)
+      .run("DELETE FROM looked_at WHERE replicate > 1; PRAGMA journal_mode=DELETE");
+  EXPECT_EQ(run_program(folder, {"query", "out", "SELECT count(*) > 0 FROM Losses"}).err,
+            "eyrie: losses and decisions of the last 5 s are there of 2 of 5 replicates; "
+            "--decisions adds the others\n");
+  EXPECT_EQ(run_program(folder, {"query", "out", "SELECT count(*) FROM cells"}).err, "");
 
   // and every query of the page
   const std::string page = read_text(source_root() + "/docs/campaigns.md");
@@ -304,6 +328,25 @@ measures: {seed: {what: end_time}}
   const std::string table = read_text(folder / "out/results.csv");
   EXPECT_TRUE(table.starts_with("cell,seed_,replicate,seed,outcome,time_s,steps,hash,seed__\n"))
       << table;
+}
+
+TEST_F(Campaign, LeavesOutOfTheCommandOfACellWhatTheCellSetsOtherwise) {
+  folder.write("c.yaml", R"(eyrie: 1
+name: ends
+scenario: small.yaml
+set: ['"until"=5 s']
+factors: {end: {levels: {set: blue.flights.eagle.start.speed=400 kt, own: until=3 s}}}
+replicates: 1
+measures: {ended: {what: end_time}}
+)");
+  ASSERT_EQ(run("out").code, 0);
+  const Ran said = run_program(folder, {"query", "out", "SELECT command FROM cells"});
+  EXPECT_EQ(said.out,
+            "command\n\"eyrie fly small.yaml --set '\"\"until\"\"=5 s' "
+            "--set 'blue.flights.eagle.start.speed=400 kt'\"\n"
+            "eyrie fly small.yaml --set 'until=3 s'\n");
+  EXPECT_EQ(run_program(folder, {"query", "out", "SELECT ended FROM replicates"}).out,
+            "ended\n5\n3\n");
 }
 
 TEST_F(Campaign, FliesAgainWhatIncludesFilesAboveItsFolder) {

@@ -108,6 +108,27 @@ TEST_F(Campaign, RefusesToGoOnWithSomethingElse) {
   EXPECT_EQ(table("out"), undisturbed());
 }
 
+TEST_F(Campaign, RefusesResultsThatWereChangedByHand) {
+  folder.write("c.yaml", changed({"replicates: 40", "replicates: 2"}));
+  ASSERT_EQ(run("out").code, 0);
+  EXPECT_EQ(run("out", {"--resume"}).code, 0);
+  const std::string file = folder / "out/results.db", whole = read_text(file);
+  for (const char* sql : {"UPDATE replicates SET \"end\" = 1 WHERE cell = 1",
+                          "DELETE FROM replicates WHERE replicate = 1"}) {
+    folder.write("out/results.db", whole);
+    sql::Database(file, sql::Database::Access::write)
+        .run(std::string(sql) + "; PRAGMA journal_mode=DELETE");
+    const std::string before = read_text(file);
+    const Ran ran = run("out", {"--resume"});
+    EXPECT_EQ(ran.code, 2) << sql;
+    EXPECT_NE(ran.err.find("'out/results.db' was changed after it was flown: the hash of what is "
+                           "there is 0x"),
+              std::string::npos)
+        << ran.err;
+    EXPECT_EQ(read_text(file), before) << "left as it is";
+  }
+}
+
 TEST_F(Campaign, RefusesATableThatIsNoFileBeforeItFlies) {
   folder.write("c.yaml", changed({"replicates: 40", "replicates: 1"}));
   ASSERT_EQ(run("out").code, 0);
