@@ -228,12 +228,10 @@ int query(const QueryOptions& options) {
   Statement asked = database.prepare(options.sql);
   if (asked.columns() == 0 || !asked.reads_only())
     refuse("eyrie: query reads, and {} gives no rows or writes", quote(options.sql));
-  const std::string sql = to_small(options.sql);
-  if (sql.find("losses") != sql.npos || sql.find("decisions") != sql.npos)
-    if (const auto looked = looked_at(database); looked && looked->replicates < looked->of)
-      complain("eyrie: losses and decisions{} are there of {} of {}; --decisions adds the others\n",
-               looked->replicates ? fmt::format(" of the last {} s", looked->window) : "",
-               looked->replicates, counted(looked->of, "replicate"));
+  if (const auto looked = looked_at(database); looked && looked->replicates < looked->of)
+    complain("eyrie: losses and decisions{} are there of {} of {}; --decisions adds the others\n",
+             looked->replicates ? fmt::format(" of the last {} s", looked->window) : "",
+             looked->replicates, counted(looked->of, "replicate"));
   database.stop_if(unheard);
   write_csv(asked, [](const std::string& line) { say("{}", Composed{line}); });
   return 0;

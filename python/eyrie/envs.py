@@ -88,8 +88,8 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
         privileged: bool = False,
         render_mode: None = None,
     ) -> None:
-        self._native = Native(task, 1, 1, set, opponents, rewards, privileged)
         no_drawing(render_mode)
+        self._native = Native(task, 1, 1, set, opponents, rewards, privileged)
         self.render_mode = None
         self.observation_space = self._native.observation_space()
         self.action_space = self._native.action_space()
@@ -158,9 +158,9 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
         copy: bool = False,
         render_mode: None = None,
     ) -> None:
+        no_drawing(render_mode)
         self._native = Native(task, num_envs, threads, set, opponents, rewards, privileged)
         self.num_envs = num_envs
-        no_drawing(render_mode)
         self.render_mode = None
         self._copy = copy
         self.single_observation_space = self._native.observation_space()

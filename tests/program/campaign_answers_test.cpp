@@ -270,7 +270,6 @@ measures:
   EXPECT_EQ(run_program(folder, {"query", "out", "SELECT count(*) > 0 FROM Losses"}).err,
             "eyrie: losses and decisions of the last 5 s are there of 2 of 5 replicates; "
             "--decisions adds the others\n");
-  EXPECT_EQ(run_program(folder, {"query", "out", "SELECT count(*) FROM cells"}).err, "");
 
   // and every query of the page
   const std::string page = read_text(source_root() + "/docs/campaigns.md");
