@@ -11,7 +11,6 @@
 #include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "core/text.hpp"
 #include "core/units.hpp"
 #include "disk/output.hpp"
 #include "locate.hpp"

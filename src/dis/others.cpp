@@ -273,7 +273,7 @@ void Others::take(const Now& now, double, const Fire& fire) {
     return;
   }
   const auto [known, fresh] = entity_called(now, fire.munition);
-  // one entity is one shot, whatever the number of the event: IEEE 1278.1-2012, 7.3.2
+  // one entity is one shot, whatever the number of the event
   if (known && now.clock - known->fired < kLongAgo) {
     ++incoming_.counts[Unused::twice];
     return;

@@ -3,6 +3,7 @@
 
 #include "core/angle.hpp"
 #include "model/weapon/stores.hpp"
+#include "record/event_table.hpp"
 #include "ubf/state_fields.hpp"
 
 namespace eyrie::page {
@@ -221,7 +222,7 @@ void Motions::observe(const sim::World& world, const sim::StepInfo& info,
 
 void Motions::remember(const sim::World& world, const sim::StepInfo& info,
                        std::span<const sim::Event> events) {
-  time_ = static_cast<double>(info.step + 1) * info.dt;  // as the run says how long it was
+  time_ = record::time_after(info);
   for (const sim::Event& e : events)
     happened(e, world);
 }
