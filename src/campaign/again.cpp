@@ -72,7 +72,7 @@ class WayWatcher final : public sim::Observer {
   void begin(const sim::World& world, double) override { look(world, true); }
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
-    const double now = info.time() + info.dt;
+    const double now = info.time_after();
     const bool due = now >= next_;
     if (due)
       next_ += Way::kEvery;
@@ -127,7 +127,7 @@ class Losses final : public sim::Observer {
     for (const sim::Event& e : events)
       if (const auto fate = record::fate_of(e);
           fate && fate->end == "lost" && roster_.find(fate->who))
-        all.push_back({fate->who, e.whom ? e.who : PlayerId{}, record::time_after(info)});
+        all.push_back({fate->who, e.whom ? e.who : PlayerId{}, info.time_after()});
   }
   std::vector<Loss> all;
 

@@ -105,7 +105,7 @@ void Announcer::begin(const sim::World& world, double dt) {
 
 void Announcer::observe(const sim::World& world, const sim::StepInfo& info,
                         std::span<const sim::Event> events) {
-  time_ = info.time() + info.dt;
+  time_ = info.time_after();
   for (const sim::Event& e : events)  // before they are looked at
     if (record::kind_of(e) == EventKind::launch) {
       const auto* shooter = scenario_.roster.find(PlayerId{e.detail});

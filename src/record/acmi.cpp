@@ -177,7 +177,7 @@ void AcmiWriter::tell_story(const StoryLine& line) {
 
 void AcmiWriter::observe(const sim::World& world, const sim::StepInfo& info,
                          std::span<const sim::Event> events) {
-  time_ = info.time() + info.dt;
+  time_ = info.time_after();
   step_ = world.step();
   story_.observe(world, info, events);
   for (const sim::Event& e : events)

@@ -154,7 +154,7 @@ std::vector<Cell> EventTable::row(const sim::Event& e, const sim::StepInfo& info
   const Geodetic place = scenario_.library->reference.to_geodetic(e.place);
   std::size_t at = 0;
   for (Cell& cell : std::array<Cell, kFixed>{
-           time_after(info), static_cast<double>(info.step),
+           info.time_after(), static_cast<double>(info.step),
            cell_of(std::string(model::event_name(kind))), cell_of(missiles_.name(e.who)), id(e.who),
            cell_of(missiles_.name(e.whom)), id(e.whom), weapon, shooter, id(missile), e.place.x,
            e.place.y, degrees(place.latitude), degrees(place.longitude), place.altitude})

@@ -23,11 +23,6 @@ using Cell = std::variant<std::monostate, double, std::string>;
 /// value that an event of any kind carries.
 [[nodiscard]] const std::vector<EventColumn>& event_columns();
 
-/// s, at the end of a step: as every clock has it, without the rounding of a sum.
-[[nodiscard]] inline double time_after(const sim::StepInfo& info) {
-  return static_cast<double>(info.step + 1) * info.dt;
-}
-
 /// Makes the rows of one run, event after event.
 class EventTable {
  public:

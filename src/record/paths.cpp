@@ -96,7 +96,7 @@ void Paths::happened(const sim::Event& e) {
 
 void Paths::observe(const sim::World& world, const sim::StepInfo& info,
                     std::span<const sim::Event> events) {
-  time_ = info.time() + info.dt;
+  time_ = info.time_after();
   for (const sim::Event& e : events)
     happened(e);
   look(world, world.step() % players_every_ == 0, world.step() % missiles_every_ == 0);
@@ -229,22 +229,29 @@ ordered_json feature(ordered_json geometry, ordered_json properties) {
           {"properties", std::move(properties)}};
 }
 
-/// Lines along the points, cut where they cross the 180th meridian.
+/// Lines along the points, cut where they cross the 180th meridian. A point on it belongs to the
+/// side from which the line comes to it.
 ordered_json way(std::span<const Path::Point> points) {
   ordered_json all = ordered_json::array();
-  ordered_json line = ordered_json::array({coordinates(points.front().place)});
+  double at = wrap_pi(points.front().place.longitude);
+  ordered_json line = ordered_json::array({coordinates(points.front().place, at)});
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Geodetic &a = points[i - 1].place, &b = points[i].place;
-    const double west = wrap_pi(a.longitude), step = wrap_pi(b.longitude - a.longitude);
-    if (std::fabs(west + step) > kPi) {
-      const double edge = step > 0 ? kPi : -kPi, part = (edge - west) / step;
+    constexpr double kNear = 1e-12;
+    const double step = wrap_pi(b.longitude - a.longitude);
+    if (std::fabs(at + step) > kPi + kNear) {
+      const double edge = step > 0 ? kPi : -kPi, part = (edge - at) / step;
       const Geodetic cut{a.latitude + part * (b.latitude - a.latitude), edge,
                          a.altitude + part * (b.altitude - a.altitude)};
-      line.push_back(coordinates(cut, edge));
-      all.push_back(std::move(line));
+      if (part * std::fabs(step) > kNear)
+        line.push_back(coordinates(cut, edge));
+      if (line.size() > 1)
+        all.push_back(std::move(line));
       line = ordered_json::array({coordinates(cut, -edge)});
+      at -= 2 * edge;
     }
-    line.push_back(coordinates(b));
+    at += step;
+    line.push_back(coordinates(b, at));
   }
   all.push_back(std::move(line));
   return {{"type", "MultiLineString"}, {"coordinates", std::move(all)}};

@@ -53,7 +53,7 @@ Story::Story(const scenario::Scenario& scenario, Tell tell)
 
 void Story::observe(const sim::World&, const sim::StepInfo& info,
                     std::span<const sim::Event> events) {
-  time_ = info.time() + info.dt;
+  time_ = info.time_after();
   for (const sim::Event& e : events) {
     decided_ = info.time();
     tell(e);
@@ -226,7 +226,7 @@ void Tally::enter(PlayerId who, double time) {
 
 void Tally::observe(const sim::World&, const sim::StepInfo& info,
                     std::span<const sim::Event> events) {
-  const double time = info.time() + info.dt;
+  const double time = info.time_after();
   const auto player = [&](PlayerId id) -> OfPlayer* {
     return scenario_.roster.find(id) ? &players_[id.value - 1] : nullptr;
   };

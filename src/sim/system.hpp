@@ -54,6 +54,8 @@ struct StepInfo {
   double dt = 0;           ///< s, length of a step
   /// s, at the beginning of the step.
   [[nodiscard]] double time() const { return static_cast<double>(step) * dt; }
+  /// s, at the end of the step: as every clock has it, without the rounding of time() + dt.
+  [[nodiscard]] double time_after() const { return static_cast<double>(step + 1) * dt; }
 };
 
 /// Rows [begin, end) of a table.
@@ -130,7 +132,7 @@ class Observer {
   /// Once, before the first step that is observed. `dt` in s.
   virtual void begin(const World&, double /*dt*/) {}
   /// After each step: `info` is the step just made, so world.step() == info.step + 1 and the time
-  /// of `world` is info.time() + info.dt. The events belong to the caller and are gone afterwards.
+  /// of `world` is info.time_after(). The events belong to the caller and are gone afterwards.
   virtual void observe(const World& world, const StepInfo& info, std::span<const Event> events) = 0;
   /// Once, after the last step.
   virtual void finish(const World&) {}

@@ -58,7 +58,7 @@ class Writer final : public sim::Observer {
   }
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
-    const double time = record::time_after(info);
+    const double time = info.time_after();
     for (const sim::Event& e : events) {
       put_event(e, info);
       missiles_.note(e);

@@ -2,10 +2,10 @@
 /// \file  The debrief page and the exports as a user has them.
 #include <gtest/gtest.h>
 
-#include <map>
-
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
@@ -163,6 +163,32 @@ TEST(ExportProgram, WritesGeoJsonByTheRules) {
   }
   EXPECT_EQ(seconds.size(), 6U);
   EXPECT_EQ(seconds["eagle1"], 60U) << "a feature for each";
+}
+
+TEST(ExportProgram, CutsLinesAtThe180thMeridianAlsoWhereAPointIsOnIt) {
+  const TempFolder folder;
+  ASSERT_EQ(run_program(folder, {"fly", "sweep", "--set", "reference.longitude=180 deg", "--until",
+                                 "2 s", "--quiet", "--no-debrief", "--out", "there"})
+                .code,
+            0);
+  ASSERT_EQ(run_program(folder, {"export", "there", "--to", "geojson"}).code, 0);
+  std::size_t lines = 0, on_it = 0;
+  for (const json& feature : json::parse(read_text(folder / "there/run.geojson"))["features"]) {
+    if (feature["geometry"]["type"] != "MultiLineString")
+      continue;
+    for (const json& line : feature["geometry"]["coordinates"]) {
+      ++lines;
+      EXPECT_GT(line.size(), 1U);
+      for (std::size_t i = 0; i < line.size(); ++i) {
+        const double longitude = line[i][0];
+        on_it += std::fabs(longitude) == 180;
+        if (i > 0)
+          EXPECT_LT(std::fabs(longitude - line[i - 1][0].get<double>()), 10) << line;
+      }
+    }
+  }
+  EXPECT_GT(lines, 10U);
+  EXPECT_GT(on_it, 0U);
 }
 
 TEST(ExportProgram, WritesDecisionsOfAllOrOfOne) {
