@@ -63,6 +63,7 @@ std::vector<std::string> whole_parts(const std::string& folder, const Spec& spec
       results.distrust();
       if (begun(results)) {
         demand_the_same(results, origin_of(origin, part), own);
+        demand_unchanged(results, file);
         Statement counted = results.prepare("SELECT count(*) FROM replicates");
         flown = counted.step() ? static_cast<std::uint64_t>(counted.integer(0)) : 0;
         folders.push_back(own);

@@ -124,17 +124,6 @@ std::uint64_t hash_of(Database& database) {
   return hasher.value();
 }
 
-/// These are the results that were there when their hash was, if they have one.
-void demand_unchanged(Database& database, const std::string& file) {
-  Statement stored = database.prepare("SELECT value FROM campaign WHERE name = 'hash'");
-  if (!stored.step())
-    return;
-  if (const std::string now = hash_text(hash_of(database)); now != stored.text(0))
-    throw disk::Refused(
-        "{} was changed after it was flown: the hash of what is there is {}, was {}",
-        quote_path(file), now, stored.text(0));
-}
-
 /// s, for which it has been worked on.
 double seconds_in(Database& database) {
   Statement seconds = database.prepare("SELECT value FROM campaign WHERE name = 'seconds'");
@@ -178,6 +167,16 @@ std::string command_of(const Spec& spec, const Cell& cell, std::optional<std::ui
                                                     {"--plugin", spec.plugins},
                                                     {"--allow-include", spec.includes}});
   return seed ? fmt::format("{} --seed {}", command, *seed) : command;
+}
+
+void demand_unchanged(Database& database, const std::string& file) {
+  Statement stored = database.prepare("SELECT value FROM campaign WHERE name = 'hash'");
+  if (!stored.step())
+    return;
+  if (const std::string now = hash_text(hash_of(database)); now != stored.text(0))
+    throw disk::Refused(
+        "{} was changed after it was flown: the hash of what is there is {}, was {}",
+        quote_path(file), now, stored.text(0));
 }
 
 disk::Handle lock_results(const std::string& folder, bool resume) {
@@ -367,6 +366,8 @@ Database open_results(const std::string& folder, Database::Access access) {
   Database database(file, access);
   database.distrust();
   demand_format(database, file);
+  if (access == Database::Access::read)
+    demand_unchanged(database, file);
   return database;
 }
 

@@ -79,8 +79,12 @@ class Store {
   Clock::time_point begun_ = Clock::now(), committed_ = begun_;
 };
 
+/// These are the results that were there when their hash was, if they have one; else throws
+/// disk::Refused. `file` is what they are in.
+void demand_unchanged(Database& database, const std::string& file);
+
 /// Opens the database in a folder, which may be a stranger's; throws disk::Refused if there is
-/// none, or one that another version wrote.
+/// none, one that another version wrote, or, to be read, one that somebody has changed.
 [[nodiscard]] Database open_results(const std::string& folder,
                                     Database::Access access = Database::Access::read);
 

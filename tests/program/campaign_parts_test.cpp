@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "sql/database.hpp"
 #include "support/campaign/background.hpp"
 #include "support/campaign/two_speeds.hpp"
 
@@ -70,6 +71,18 @@ TEST_F(CampaignParts, KilledAtAnyMomentGoOnToTheSameTable) {
   ASSERT_EQ(part(2, 2).code, 0);
   ASSERT_EQ(run("out", {"--join"}).code, 0);
   EXPECT_EQ(table("out"), undisturbed());
+}
+
+TEST_F(CampaignParts, ChangedByHandAreRefused) {
+  folder.write("c.yaml", changed({"replicates: 40", "replicates: 2"}));
+  for (const int number : {1, 2})
+    ASSERT_EQ(part(number, 2).code, 0);
+  sql::Database(folder / "out/part_2_of_2/results.db", sql::Database::Access::write)
+      .run("UPDATE replicates SET \"end\" = 1; PRAGMA journal_mode=DELETE");
+  const auto before = folder.everything();
+  EXPECT_NE(refused({"--join"}).find("'out/part_2_of_2/results.db' was changed after it was flown"),
+            std::string::npos);
+  EXPECT_EQ(folder.everything(), before);
 }
 
 TEST_F(CampaignParts, OfSomethingElseAreRefused) {
