@@ -131,6 +131,16 @@ void refuse_idle_sets(const Spec& spec, Diagnostics& diagnostics) {
   }
 }
 
+/// Whether each level of a factor sets what `set` does.
+bool undoes(const Factor& factor, const std::string& set) {
+  const auto covers = [&](const std::string& own) { return scenario::covers(own, set); };
+  if (!factor.paths.empty())
+    return std::ranges::any_of(factor.paths, covers);
+  return !factor.levels.empty() && std::ranges::all_of(factor.levels, [&](const Level& level) {
+    return std::ranges::any_of(level.sets, covers);
+  });
+}
+
 std::string refuses(std::string_view what, std::string_view value) {
   return fmt::format("{}: the scenario refuses {}", what, quote(value));
 }
@@ -229,6 +239,11 @@ Spec parse_spec(std::string text, const std::string& file) {
     throw ConfigError(search->where, "this is a search: eyrie optimize " + quote_path(file));
   static constexpr std::array<std::string_view, 2> kAlso{"design", "stop"};
   Spec spec = bind_spec(document, file, kAlso, diagnostics);
+  for (std::size_t i = 0; i < std::min(spec.sets.size(), spec.sets_where.size()); ++i)
+    for (const Factor& factor : spec.factors)
+      if (undoes(factor, spec.sets[i]))
+        diagnostics.error(spec.sets_where[i], "set: {} is set by {} in each cell, too",
+                          quoted_path(spec.sets[i]), factor.name);
   if (const Value* design = document.find("design"))
     spec.design = read_design(*design, diagnostics);
   if (diagnostics.ok())

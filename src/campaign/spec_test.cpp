@@ -188,6 +188,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "c.yaml:4:21: set: 'until' is set twice (also at c.yaml:4:7)"},
         Mistake{"until=60 min", "a.0=1, 'a.\"0\"=2'",
                 "c.yaml:4:14: set: 'a.0' is set twice (also at c.yaml:4:7)"},
+        Mistake{"until=60 min", "blue.flights.eagle.bingo=1 lb",
+                "c.yaml:4:7: set: 'blue.flights.eagle.bingo' is set by bingo in each cell, too"},
         Mistake{"[red_lost]", "[running]", "c.yaml:14:28: won: no flight ends 'running'"},
         Mistake{"{first: 10}", "{first: 10 s}",
                 "c.yaml:11:16: seeds.first: expected a whole number, got '10 s'"},
