@@ -53,14 +53,14 @@ function(eyrie_layer name)
 endfunction()
 
 # eyrie_optimizes(TARGET LAYER)
-# Compiling is what counts where little time is spent running: -O1 for what asks and writes beside a run. Sanitized code is
+# Compiling is what counts where little time is spent running: -O1 for what reads, asks and writes beside a run. Sanitized code is
 # slow to compile as it is to run: there only what flies is optimized.
 function(eyrie_optimizes target layer)
   if(EYRIE_SANITIZE)
     if(NOT layer MATCHES "^(core|sim|model|pilot|ubf|team|record)$")
       target_compile_options(${target} PRIVATE -O0)
     endif()
-  elseif(layer MATCHES "^(debrief|stats|sql|net|campaign|tables|page|apps|web)$")
+  elseif(layer MATCHES "^(scenario|record|debrief|stats|sql|net|campaign|dis|live|tables|page|apps|web)$")
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()
