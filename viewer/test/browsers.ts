@@ -13,7 +13,7 @@ export const kBrowsers = {
 export type Where = keyof typeof kBrowsers;
 
 /** ms: what a page is allowed, as machines differ. */
-export const kPatience = 60_000;
+export const kPatience = 150_000;
 
 export async function launch(where: Where): Promise<Browser> {
   // the tests are bundled elsewhere
