@@ -55,9 +55,18 @@ class Reading {
         diagnostics_.error(entry.where, "a tree cannot be called 'any'");
       else if (const auto problem = label_problem(entry.key))
         diagnostics_.error(entry.where, "the name of a tree " + *problem);
+      else if (const Value::Entry* name = own_name(entry.value))
+        diagnostics_.error(name->where, "a tree of a sequencer is called as 'trees' calls it, {}",
+                           quote(entry.key));
       result_.trees.emplace_back(entry.key, &entry.value);
     }
     return true;
+  }
+  /// The name that a node itself would have, as in `{navigate: {name: lead_in}}`.
+  [[nodiscard]] static const Value::Entry* own_name(const Value& node) {
+    const bool one = node.is_map() && node.entries.size() == 1 && node.entries[0].key != "tree";
+    return one && node.entries[0].value.is_map() ? node.entries[0].value.find_entry("name")
+                                                 : nullptr;
   }
   void read_start() {
     const Value* start = spec_.body->find("start");

@@ -60,6 +60,12 @@ TEST(SequencerSpec, RefusesNamesOfTreesThatDoNotWork) {
             "test.yaml:1:22: the name of a tree 'a/b' must not contain '/', '[' or ']'");
 }
 
+TEST(SequencerSpec, RefusesAnotherNameOfATree) {
+  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: {x: {cue: 1, name: lead_in}}}}"),
+            "test.yaml:1:36: a tree of a sequencer is called as 'trees' calls it, 'a'");
+  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: {tree: {x: {name: 3}}}}}"), "");
+}
+
 TEST(SequencerSpec, RefusesATransitionThatIsIncomplete) {
   EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: x}, transitions: [{form: a}]}"),
             "test.yaml:1:41: transition needs the parameter 'from'\n"

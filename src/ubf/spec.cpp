@@ -157,7 +157,14 @@ std::optional<Value> filled(std::string_view name, const Value& tree, Arguments&
                             Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.count();
   Value root = root_of(tree);
-  Filling(name, arguments, diagnostics).fill(root);
+  Filling filling(name, arguments, diagnostics);
+  filling.fill(root);
+  // a default may name a parameter that nothing else names, also where a reference gives another
+  // one
+  if (const Value* parameters = tree.find(kParametersKey); diagnostics.count() == before)
+    for (const Value::Entry& e : parameters ? parameters->entries : Value().entries)
+      if (Value by_default = e.value; !e.value.is_null())
+        filling.fill(by_default);
   for (const auto& [parameter, argument] : arguments)
     if (!argument.used && diagnostics.count() == before)
       diagnostics.error(tree.find(kParametersKey)->find_entry(parameter)->where,

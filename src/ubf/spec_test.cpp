@@ -115,6 +115,9 @@ TEST(Subtree, MistakesAreSaidWithTheirPlace) {
   const NamedTrees trees = NamedTrees()
                                .with("engage", kEngage)
                                .with("idle", "{parameters: {pace: 3}, root: {probe: {cue: 1}}}")
+                               .with("nested",
+                                     "{parameters: {pace: 3, what: {probe: {cue: $pace}}}, root: "
+                                     "{winner_takes_all: [$what]}}")
                                .with("typo",
                                      "{parameters: {vote: 3}, root: {winner_takes_all: {vote: "
                                      "$vot, children: [{probe: {cue: 1}}]}}}")
@@ -129,6 +132,8 @@ TEST(Subtree, MistakesAreSaidWithTheirPlace) {
             "test.yaml:1:17: tree 'plain' has no parameter 'vote'");
   EXPECT_EQ(mistakes("{tree: idle}", trees),
             "idle.yaml:1:15: tree 'idle' never uses its parameter 'pace'");
+  EXPECT_EQ(mistakes("{tree: {nested: {what: {probe: {cue: 2}}}}}", trees), "")
+      << "the default that is not taken names 'pace'";
   EXPECT_EQ(mistakes("{tree: typo}", trees),
             "typo.yaml:1:57: tree 'typo' has no parameter 'vot'; did you mean 'vote'?");
   EXPECT_EQ(mistakes("{tree: {plain: {fields: {far: range}}}}", trees),
