@@ -47,7 +47,7 @@ void Report::line(const record::StoryLine& line) const {
       paint(fmt::format("{:<9}", line.who), line.tone), line.text);
 }
 
-void Ends::observe(const sim::World& world, const sim::StepInfo& info,
+void Ends::observe(const sim::World& world, const sim::StepInfo&,
                    std::span<const sim::Event> events) {
   for (const sim::Event& e : events) {
     if (record::kind_of(e) == model::EventKind::launch)
@@ -58,8 +58,6 @@ void Ends::observe(const sim::World& world, const sim::StepInfo& info,
       players_[e.whom.value - 1].by =
           e.detail ? missiles_[PlayerId{e.detail}] : scenario_.roster.name(e.who) + "'s gun";
   }
-  if (info.step % every_)
-    return;
   for (const auto& fleet : scenario_.fleets)
     for (std::uint32_t row = 0; row < fleet->rows(world); ++row)
       if (const PlayerId who = fleet->id(world, row); scenario_.roster.find(who))

@@ -35,9 +35,7 @@ class Ends final : public sim::Observer {
     std::string by = {};              ///< "eagle1's AMRAAM from 12.1 nmi"
   };
   explicit Ends(const scenario::Scenario& scenario)
-      : scenario_(scenario),
-        every_(record::steps_in(1, scenario.simulation->dt())),
-        players_(scenario.roster.players.size()) {}
+      : scenario_(scenario), players_(scenario.roster.players.size()) {}
 
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override;
@@ -45,7 +43,6 @@ class Ends final : public sim::Observer {
 
  private:
   const scenario::Scenario& scenario_;
-  std::uint64_t every_;  ///< steps
   std::vector<OfPlayer> players_;
   std::map<PlayerId, std::string> missiles_;  ///< whose, and from where
 };

@@ -183,6 +183,9 @@ std::string outcome_text(const scenario::Mission& mission, const record::Tally& 
     case Ending::red_lost:
       text = "no red player is left";
       break;
+    case Ending::both_lost:
+      text = "no player is left";
+      break;
     case Ending::time:
       text = fmt::format("time is up at {}", record::clock_text(mission.run().time()));
       break;

@@ -94,7 +94,7 @@ Outcome Judge::operator()(const sim::World& world, bool any_home) {
   if (scenario_->spec.ends == Ends::blue_home && blue == 0)
     return any_home || any_arrived ? Outcome::blue_home : Outcome::blue_lost;
   if (scenario_->spec.ends == Ends::last_side && (blue == 0 || red == 0))
-    return blue == 0 ? Outcome::blue_lost : Outcome::red_lost;
+    return blue > 0 ? Outcome::red_lost : red > 0 ? Outcome::blue_lost : Outcome::both_lost;
   return by_time(world);
 }
 

@@ -18,10 +18,11 @@ enum class Outcome : std::uint8_t {
   time,       ///< `until` came first
   stopped,    ///< from outside
   fault,      ///< the next step cannot be made: run().fault()
+  both_lost,  ///< nobody lives on either side, and the last of both were lost in one step
 };
 constexpr auto names_of(Outcome) {
   return names_from_zero<Outcome>("running", "blue_home", "blue_lost", "red_lost", "time",
-                                  "stopped", "fault");
+                                  "stopped", "fault", "both_lost");
 }
 
 /// Why a flight cannot end at `until` (s), in words: before its first step is over, or later than

@@ -15,12 +15,14 @@ struct Ending {
   double time;  ///< s
 };
 
-/// One against one, far apart and for 3 s; one of them is lost after a second.
-Ending ending(const std::string& ends, const std::string& lost) {
+/// One against one, far apart and for 3 s; these are lost after a second.
+Ending ending(const std::string& ends, std::initializer_list<const char*> lost) {
   const TempFolder folder;
+  std::string orders;
+  for (const char* player : lost)
+    orders += std::string("  - {at: 1 s, player: ") + player + ", lose: true}\n";
   const std::string file =
-      folder.write("duel.yaml", "ends: " + ends + "\norders: [{at: 1 s, player: " + lost +
-                                    ", lose: true}]\n" + R"(eyrie: 1
+      folder.write("duel.yaml", "ends: " + ends + "\norders:\n" + orders + R"(eyrie: 1
 name: duel
 reference: {latitude: 33 deg, longitude: -68 deg}
 until: 3 s
@@ -53,18 +55,19 @@ void expect(const Ending& is, Outcome outcome, double time) {
 }
 
 TEST(MissionEnds, WhenOneSideIsLeftWhicheverThatIs) {
-  expect(ending("last_side", "bogey1"), Outcome::red_lost, 1);
-  expect(ending("last_side", "eagle1"), Outcome::blue_lost, 1);
+  expect(ending("last_side", {"bogey1"}), Outcome::red_lost, 1);
+  expect(ending("last_side", {"eagle1"}), Outcome::blue_lost, 1);
+  expect(ending("last_side", {"eagle1", "bogey1"}), Outcome::both_lost, 1);
 }
 
 TEST(MissionEnds, WithBlueAloneWhereThatIsAsked) {
-  expect(ending("blue_home", "bogey1"), Outcome::time, 3);
-  expect(ending("blue_home", "eagle1"), Outcome::blue_lost, 1);
+  expect(ending("blue_home", {"bogey1"}), Outcome::time, 3);
+  expect(ending("blue_home", {"eagle1"}), Outcome::blue_lost, 1);
 }
 
 TEST(MissionEnds, AtItsTimeWhoeverIsLost) {
-  expect(ending("time", "bogey1"), Outcome::time, 3);
-  expect(ending("time", "eagle1"), Outcome::time, 3);
+  expect(ending("time", {"bogey1"}), Outcome::time, 3);
+  expect(ending("time", {"eagle1"}), Outcome::time, 3);
 }
 
 }  // namespace
