@@ -193,15 +193,20 @@ Json won_json(const Decision& d, const Won& won) {
 }  // namespace
 
 std::string reason(const Won& won) {
+  if (won.held)
+    return "held from an earlier decision";
   if (won.rivals.empty())
     return "nobody else asked for it";
   if (won.blended)
     return fmt::format("blended of {}", won.rivals.size());
   const Rival& next = won.rivals.front();
+  if (!next.came_up)
+    return "nobody else's came up to it";
   return next.against > next.vote ? fmt::format("voted {:g} against {:g}", next.against, next.vote)
          : next.against == next.vote
              ? fmt::format("voted {:g} as the other did, and comes first", next.vote)
-             : fmt::format("{:g} against {:g}, by its place in the tree", next.against, next.vote);
+             : fmt::format("{:g} against {:g}, and the votes did not decide", next.against,
+                           next.vote);
 }
 
 std::string words(const Answer& answer) {
@@ -230,11 +235,20 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
   }
   if (then.status == ubf::Status::failure)
     return fmt::format("{} {}", then.label, words(then));
-  if (now.leader == ubf::kNone)
+  if (now.leader == ubf::kNone) {
+    const auto proposes = [&](ubf::NodeIndex node) { return !now.nodes[node].action.empty(); };
+    ubf::NodeIndex last = before;  // to which it came up
+    while (now.nodes[last].parent != ubf::kNone && proposes(now.nodes[last].parent))
+      last = now.nodes[last].parent;
+    if (const ubf::NodeIndex keeper = now.nodes[last].parent;
+        keeper != ubf::kNone && proposes(last))
+      return fmt::format("{} was kept back by {}", then.label, now.nodes[keeper].label);
     return fmt::format("{} proposed nothing", then.label);
+  }
   const auto [mine, its] = parting(now.nodes, now.leader, before);
-  return fmt::format("{} voted {:g} against {:g}", then.label, now.nodes[its].counted(),
-                     now.nodes[mine].counted());
+  const float voted = now.nodes[its].counted(), against = now.nodes[mine].counted();
+  return fmt::format("{} voted {:g} against {:g}{}", then.label, voted, against,
+                     voted > against ? ", and the votes did not decide" : "");
 }
 
 void put_names(std::string& text, const Decision& decision, const scenario::Scenario& scenario) {

@@ -96,9 +96,13 @@ TEST(Decision, SaysHowAFieldWasWon) {
   won.rivals = {{.node = 3, .against = 50, .vote = 50}};
   EXPECT_EQ(reason(won), "voted 50 as the other did, and comes first");
   won.rivals = {{.node = 3, .against = 10, .vote = 50}};
-  EXPECT_EQ(reason(won), "10 against 50, by its place in the tree");
+  EXPECT_EQ(reason(won), "10 against 50, and the votes did not decide");
+  won.rivals[0].came_up = false;
+  EXPECT_EQ(reason(won), "nobody else's came up to it");
   won.blended = true;
   EXPECT_EQ(reason(won), "blended of 1");
+  won.held = true;
+  EXPECT_EQ(reason(won), "held from an earlier decision");
 }
 
 TEST(Decision, ShowsOnlyWhatWasAsked) {

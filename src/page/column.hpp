@@ -17,8 +17,9 @@ using Json = nlohmann::ordered_json;
 /// Numbers rounded to multiples of a quantum.
 class Column {
  public:
-  /// Stands for NaN and infinity.
+  /// Stands for NaN, and for infinity where nobody tells them apart.
   static constexpr std::int64_t kNothing = -2147483648;
+  static constexpr std::int64_t kNever = 2147483647;  ///< stands for infinity
 
   explicit Column(double quantum = 1) : quantum_(quantum) {}
 

@@ -171,8 +171,8 @@ template <class Action>
   return unit == "rad" ? 1e-6 : unit == "m" ? 1e-3 : 1e-4;
 }
 
-/// Steps, shapes, and the values that nodes proposed themselves (leaves all of theirs, arbiters
-/// what they blended).
+/// Steps, shapes, and the values that nodes proposed themselves: leaves all of theirs, arbiters
+/// what they blended, the root what it holds of somebody who did not propose it this time.
 class Decisions {
  public:
   /// Which decisions are kept; those of 0 steps are all.
@@ -204,7 +204,7 @@ class Decisions {
     for (std::size_t i = 0; i < blank.size(); ++i) {
       const auto node = static_cast<ubf::NodeIndex>(i);
       const auto& row = trace.row(node);
-      if (row.ticked && std::ranges::find(row.supplier, node) != row.supplier.end())
+      if (row.ticked && (i == 0 || std::ranges::find(row.supplier, node) != row.supplier.end()))
         suppliers_.push_back(node);
     }
     fields_ = ubf::kFields<Action>;
@@ -232,6 +232,15 @@ class Decisions {
   }
 
  private:
+  /// Whether the root has the field from a node that did not propose it this time.
+  template <class Action>
+  [[nodiscard]] static bool is_held(const ubf::Trace<Action>& trace, std::size_t index) {
+    const ubf::NodeIndex from = trace.row(0).supplier[index];
+    if (from == ubf::kNone)
+      return false;
+    const auto& row = trace.row(from);
+    return !row.ticked || ubf::is_empty(row.proposal.action) || row.supplier[index] != from;
+  }
   /// One field of all nodes that have a value of their own. What differs stays different, however
   /// little: the page must see that two nodes want two things.
   template <class Field, class Action>
@@ -240,7 +249,7 @@ class Decisions {
     std::vector<std::pair<T, std::int64_t>> taken;
     for (const ubf::NodeIndex node : suppliers_) {
       const auto& row = trace.row(node);
-      if (row.supplier[index] != node)
+      if (row.supplier[index] != node && !(node == 0 && is_held(trace, index)))
         continue;
       const T& value = *(row.proposal.action.*f.member);
       Column& column = values_[node * fields_ + index];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/seen.hpp"
 
+#include <cmath>
+
 #include "core/angle.hpp"
 #include "model/weapon/stores.hpp"
 #include "record/event_table.hpp"
@@ -36,7 +38,10 @@ void Sights::add_state(const State& state) {
                               ? quantum_seen(field.info.unit.si_symbol)
                               : 1.0);
   for (std::size_t i = 0; i < fields.size(); ++i)
-    state_[i].add(fields[i].read(state));
+    if (const double value = fields[i].read(state); std::isinf(value))
+      state_[i].add_rounded(Column::kNever);
+    else
+      state_[i].add(value);
 }
 
 void Sights::add_track(std::uint32_t id, PlayerId truth, model::Identity identity, bool target,
@@ -222,7 +227,7 @@ void Motions::observe(const sim::World& world, const sim::StepInfo& info,
 
 void Motions::remember(const sim::World& world, const sim::StepInfo& info,
                        std::span<const sim::Event> events) {
-  time_ = record::time_after(info);
+  time_ = info.time_after();
   for (const sim::Event& e : events)
     happened(e, world);
 }

@@ -40,14 +40,17 @@ struct Rival {
   /// The votes that stood against each other where both were compared: of the branch with the
   /// winner, and of the branch with the rival.
   float against = 0, vote = 0;
+  bool came_up = true;  ///< its branch brought the field up to there, and did not lose it below
 };
 
 /// A field of the action that came out of the root.
 struct Won {
   Value value;
   ubf::NodeIndex winner = ubf::kNone;
-  bool blended = false;       ///< the winner is an arbiter that made it of what its children said
-  std::vector<Rival> rivals;  ///< by vote, the highest first; what a blend is made of, too
+  bool blended = false;  ///< the winner is an arbiter that made it of what its children said
+  bool held = false;     ///< the winner proposed it earlier, and a node above holds it
+  /// By vote, the highest first, and those that came up before the others; what a blend is made of.
+  std::vector<Rival> rivals;
 };
 
 /// Something that the agent believed to be there.

@@ -52,21 +52,35 @@ std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nod
   return at;
 }
 
+/// Whether a node, or somebody below it, proposes a field now.
+static bool proposes(const Answer& node, const std::string& field) {
+  return std::ranges::find(node.action, field, &Value::name) != node.action.end();
+}
+
 std::vector<Won> contest(const std::vector<Answer>& nodes,
                          std::span<const ubf::NodeIndex> winners) {
   std::vector<Won> all;
   for (const Value& value : nodes[0].action) {
     const ubf::NodeIndex winner = winners[all.size()];
-    Won won{.value = value, .winner = winner, .blended = !nodes[winner].is_leaf, .rivals = {}};
+    const bool held = !proposes(nodes[winner], value.name);
+    Won won{.value = value,
+            .winner = winner,
+            .blended = !held && !nodes[winner].is_leaf,
+            .held = held,
+            .rivals = {}};
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       const auto node = static_cast<ubf::NodeIndex>(n);
       const auto proposed = std::ranges::find(nodes[n].action, value.name, &Value::name);
       if (node == winner || !nodes[n].is_leaf || proposed == nodes[n].action.end())
         continue;
-      const auto [its, mine] = parting(nodes, node, winner);
-      won.rivals.push_back({node, *proposed, nodes[mine].counted(), nodes[its].counted()});
+      auto [its, mine] = parting(nodes, node, winner);
+      while (!proposes(nodes[mine], value.name))
+        mine = nodes[mine].parent;  // up to who holds it; the root has it
+      won.rivals.push_back({node, *proposed, nodes[mine].counted(), nodes[its].counted(),
+                            proposes(nodes[its], value.name)});
     }
-    std::ranges::stable_sort(won.rivals, std::greater<>(), &Rival::vote);
+    std::ranges::stable_sort(won.rivals, std::greater<>(),
+                             [](const Rival& r) { return std::pair(r.came_up, r.vote); });
     all.push_back(std::move(won));
   }
   return all;

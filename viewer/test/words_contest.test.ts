@@ -60,9 +60,10 @@ test('a blend is won by the arbiter that made it', () => {
 });
 
 test('reasons have words for ties and for places', () => {
-  const won = (vote: number, against: number) => reason({ blended: false, rivals: [{ node: 1, value: 0, vote, against }] });
+  const won = (vote: number, against: number, came_up = true) => reason({ blended: false, held: false, rivals: [{ node: 1, value: 0, vote, against, came_up }] });
   assert.equal(won(40, 40), 'voted 40 as the other did, and comes first');
-  assert.equal(won(60, 40), '40 against 60, by its place in the tree');
+  assert.equal(won(60, 40), '40 against 60, and the votes did not decide');
+  assert.equal(won(60, 40, false), "nobody else's came up to it");
 });
 
 test('two nodes part below the lowest node that has both', () => {
@@ -97,4 +98,16 @@ test('answers and changes of leader are told in words', () => {
   assert.equal(told('break'), 'break voted 15 against 60');
   assert.equal(why_not(tree!, now!, -1), 'nobody led');
   assert.deepEqual(path_of_leader(run, now!), new Set([find(run, 'release'), find(run, 'bvr'), 0]));
+});
+
+test('what a node holds of somebody who did not propose it this time is neither blended nor won by votes against him', () => {
+  const run = run_of(node('root', 'per_field', [node('steady', 'commitment', [leaf('pursue'), leaf('navigate')]), leaf('follow')]),
+    [{ pursue: { status: 'failure' }, navigate: { vote: 10, heading: 2 }, follow: { vote: 20, heading: 3 } }], (all, tree) => {
+      const pursue = tree.nodes.findIndex(({ label }) => label === 'pursue');
+      for (const holder of [0, tree.nodes.findIndex(({ label }) => label === 'steady')])
+        all[holder] = { ...all[holder]!, status: 'running', vote: 40, supplier: Int16Array.from(all[holder]!.supplier, (_, f) => (f === 0 ? pursue : -1)), action: Float64Array.of(1) };
+    });
+  const [heading] = contest(run, 0, 0);
+  assert.deepEqual([heading!.value, heading!.held, heading!.blended, heading!.reason], [1, true, false, 'held from an earlier decision']);
+  assert.deepEqual(heading!.rivals.map(({ vote, against }) => [vote, against]), [[20, 40], [10, 40]]);
 });

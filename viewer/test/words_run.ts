@@ -130,7 +130,9 @@ export function run_of(root: NodeSpec, decisions: Record<string, Said>[], more: 
   all.forEach((one) => more(one, tree));
   const shape = Int32Array.from(decisions, (said) => kinds.indexOf(said));
   const columns = new Map<string, Float64Array>();
-  const column = (n: number, f: number) => Float64Array.from(shape, (s) => (all[s]![n]!.supplier[f] === n ? all[s]![n]!.action[f]! : NaN));
+  const from = (s: number, n: number, f: number) => all[s]![n]!.supplier[f]!;
+  const sets = (s: number, n: number, f: number) => from(s, n, f) === n || (n === 0 && from(s, 0, f) >= 0 && from(s, from(s, 0, f), f) !== from(s, 0, f));
+  const column = (n: number, f: number) => Float64Array.from(shape, (s) => (sets(s, n, f) ? all[s]![n]!.action[f]! : NaN));
   const value = (n: number, f: number): Float64Array => {
     const key = `${n}/${f}`;
     if (!columns.has(key)) columns.set(key, column(n, f));

@@ -6,7 +6,7 @@
  *
  * A column stands in the document as [offset, count, quantum, order] and in the columns as `count`
  * numbers, each a zigzag varint: the value over `quantum`, rounded, as its `order`-th difference. The
- * number kNothing stands for NaN.
+ * number kNothing stands for NaN, kNever for infinity.
  */
 import type {
   Decisions, Flight, Gauges, Missile, Motion, Place, Player, Run, Shape, Sights, Status, Tree, TreeNode,
@@ -14,6 +14,7 @@ import type {
 
 const kFormat = 1;
 const kNothing = -2147483648;
+const kNever = 2147483647;
 
 export type Column = [offset: number, count: number, quantum: number, order: number];
 /** Of a column as it is packed, or kept otherwise (live/grown.ts). */
@@ -38,7 +39,7 @@ export function read_column(bytes: Uint8Array, [offset, count, quantum, order]: 
     value = value % 2 ? -(value + 1) / 2 : value / 2;
     slope += value;
     last = order === 2 ? last + slope : order === 1 ? last + value : value;
-    out[i] = last === kNothing ? NaN : last * quantum;
+    out[i] = last === kNothing ? NaN : last === kNever ? Infinity : last * quantum;
   }
   return out;
 }
@@ -110,10 +111,14 @@ function decisions_of<C>(read: Read<C>, data: DecisionData<C>, shapes: Shape[], 
     shape: () => Int32Array.from(read(data.shape)),
     t: () => own.step.map((s) => s * dt),
   });
-  // dense over the decisions in which the node set the field itself
+  // dense over the decisions in which the node set the field itself, or the root holds what nobody set this time
   const spread = (node: number, field: number, dense: Float64Array): Float64Array => {
+    const sets = ({ supplier }: Shape): boolean => {
+      const from = supplier[node]?.[field] ?? -1;
+      return from === node || (node === 0 && from >= 0 && supplier[from]?.[field] !== from);
+    };
     let next = 0;
-    return Float64Array.from(own.shape, (s) => (shapes[s]!.supplier[node]?.[field] === node ? dense[next++]! : NaN));
+    return Float64Array.from(own.shape, (s) => (sets(shapes[s]!) ? dense[next++]! : NaN));
   };
   const values = lazy<Record<string, Float64Array>>(Object.fromEntries(
     data.values.map(([node, field, column]) => [`${node}/${field}`, () => spread(node, field, read(column))])));
@@ -140,9 +145,10 @@ function sights_of<C>(read: Read<C>, data: SightData<C>, texts: string[]): Sight
       { kind: texts[w.kind[k]!]!, bearing: w.bearing[k]!, range: w.range[k]!, name: texts[w.name[k]!]! })),
   });
   const state = lazy<Record<number, Float64Array>>(data.state.map((column) => () => read(column)));
+  const drawn = lazy<Record<number, Float64Array>>(data.state.map((_, i) => () => state[i]!.map((x) => (Number.isFinite(x) ? x : NaN))));
   const own = lazy<Pick<Sights, 't'>>({ t: () => read(data.t) });
   return Object.assign(own, {
-    channel: (field: number) => state[field] ?? new Float64Array(0),
+    channel: (field: number) => drawn[field] ?? new Float64Array(0),
     at: (i: number) => ({
       t: own.t[i]!,
       state: Float64Array.from(data.state, (_, field) => state[field]![i]!),

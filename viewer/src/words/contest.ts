@@ -11,14 +11,17 @@ export interface Rival {
    * the branch with the winner. */
   vote: number;
   against: number;
+  /** Whether its branch brought the field up to there, and did not lose it below. */
+  came_up: boolean;
 }
 export interface Won {
   field: number;  // Index into the platform's action.
   value: number;
   winner: number;
   blended: boolean;  // The winner is an arbiter that made it of what its children said.
+  held: boolean;  // The winner proposed it earlier, and a node above holds it.
   reason: string;
-  rivals: Rival[];  // By vote, the highest first; what a blend is made of, too.
+  rivals: Rival[];  // By vote, the highest first, and those that came up before the others; what a blend is made of.
 }
 
 const kNobody = new Int16Array(0);
@@ -45,15 +48,17 @@ export function parting(tree: Tree, a: number, b: number): [number, number] {
 }
 
 /** "voted 40 against 10", or how else a field was won. */
-export function reason({ blended, rivals }: Pick<Won, 'blended' | 'rivals'>): string {
+export function reason({ blended, held, rivals }: Pick<Won, 'blended' | 'held' | 'rivals'>): string {
+  if (held) return 'held from an earlier decision';
   const next = rivals[0];
   if (!next) return 'nobody else asked for it';
   if (blended) return `blended of ${rivals.length}`;
+  if (!next.came_up) return "nobody else's came up to it";
   const [mine, its] = [general(next.against), general(next.vote)];
   if (next.against > next.vote) return `voted ${mine} against ${its}`;
   return next.against === next.vote
     ? `voted ${its} as the other did, and comes first`
-    : `${mine} against ${its}, by its place in the tree`;
+    : `${mine} against ${its}, and the votes did not decide`;
 }
 
 /** One decision of a player: who won each field of the action, and against whom. */
@@ -66,12 +71,15 @@ export function contest(run: Run, player: number, index: number): Won[] {
   const won = (winner: number, field: number): Won => {
     const rivals = tree.nodes.flatMap(({ children }, node): Rival[] => {
       if (node === winner || children.length > 0 || !(suppliers(shape, node)[field]! >= 0)) return [];
-      const [its, mine] = parting(tree, node, winner);
-      return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]! }];
+      let [its, mine] = parting(tree, node, winner);
+      while (!(suppliers(shape, mine)[field]! >= 0)) mine = tree.nodes[mine]!.parent; // up to who holds it; the root has it
+      const came_up = suppliers(shape, its)[field]! >= 0;
+      return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]!, came_up }];
     });
-    rivals.sort((a, b) => b.vote - a.vote || a.node - b.node);
-    const blended = tree.nodes[winner]!.children.length > 0;
-    return { field, value: value(winner, field), winner, blended, reason: reason({ blended, rivals }), rivals };
+    rivals.sort((a, b) => +b.came_up - +a.came_up || b.vote - a.vote || a.node - b.node);
+    const held = suppliers(shape, winner)[field] !== winner;
+    const blended = !held && tree.nodes[winner]!.children.length > 0;
+    return { field, value: value(held ? 0 : winner, field), winner, blended, held, reason: reason({ blended, held, rivals }), rivals };
   };
   return Array.from(suppliers(shape, 0)).flatMap((winner, field) => (winner >= 0 ? won(winner, field) : []));
 }
@@ -119,7 +127,14 @@ export function why_not(tree: Tree, shape: Shape, before: number): string {
       : `${label} was not asked`;
   }
   if (shape.status[before] === 'failure') return `${then.label} ${answer_words(shape, before)}`;
-  if (shape.leader < 0) return `${then.label} proposed nothing`;
+  if (shape.leader < 0) {
+    const proposes = (node: number) => suppliers(shape, node).some((supplier) => supplier >= 0);
+    let last = before; // to which it came up
+    while (tree.nodes[last]!.parent >= 0 && proposes(tree.nodes[last]!.parent)) last = tree.nodes[last]!.parent;
+    const keeper = tree.nodes[tree.nodes[last]!.parent];
+    return keeper && proposes(last) ? `${then.label} was kept back by ${keeper.label}` : `${then.label} proposed nothing`;
+  }
   const [mine, its] = parting(tree, shape.leader, before);
-  return `${then.label} voted ${general(shape.counted[its]!)} against ${general(shape.counted[mine]!)}`;
+  const [voted, against] = [shape.counted[its]!, shape.counted[mine]!];
+  return `${then.label} voted ${general(voted)} against ${general(against)}${voted > against ? ', and the votes did not decide' : ''}`;
 }

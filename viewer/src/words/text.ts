@@ -61,6 +61,7 @@ function in_unit(si: number, [symbol, numerator, denominator = 1, decimals = 0, 
 /** "10.0 nmi", "467 kt", "45°", "5.29"; "-" for NaN. `unit` is that of SI. */
 export function quantity_text(si: number, unit: string): string {
   if (Number.isNaN(si)) return '-';
+  if (!Number.isFinite(si)) return 'never';
   const { far, near, others } = spoken();
   const u = unit === 'm' ? (Math.abs(si) < size_of_unit(far) ? near : far) : others[unit];
   if (u) return in_unit(si, u);
@@ -109,6 +110,7 @@ export function reworded(text: string): string {
 export function value_text(run: Run, { name, unit, kind, choices }: FieldInfo, value: number): string {
   if (kind === 'flag' && choices) return value === 1 ? 'yes' : 'no';
   if (Number.isNaN(value)) return '-';
+  if (!Number.isFinite(value)) return 'never';
   switch (kind) {
     case 'flag':
       return value ? 'true' : 'false';
