@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The map below on a flat canvas: sea, land, shores and graticule, far haze, and the grid. */
+import { MathUtils } from 'three';
 import { type Coast, coast_of, draw_shores, kReach } from '../coast.ts';
 import type { Eye } from '../eye.ts';
 import type { Origin } from '../geo.ts';
@@ -10,11 +11,6 @@ import { circle_on_ground, trace_area } from './areas.ts';
 
 /** So many veils lie over each other until all is sky. */
 const kVeils = 10;
-
-function smooth(share: number): number {
-  const s = Math.min(1, Math.max(0, share));
-  return s * s * (3 - 2 * s);
-}
 
 export class FlatGround {
   private readonly coast: Coast;
@@ -65,7 +61,7 @@ export class FlatGround {
       const veil = new Path2D();
       veil.rect(0, 0, eye.width, eye.height);
       trace_area(veil, eye, circle_on_ground(x, z, kReach * (kClear + ((kHazy - kClear) * (k + 0.5)) / kVeils)));
-      const left = 1 - smooth((k + 1) / kVeils);
+      const left = 1 - MathUtils.smoothstep(k + 1, 0, kVeils);
       context.fillStyle = css(palette.sky, 1 - left / clear);
       context.fill(veil, 'evenodd');
       clear = left;
