@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Time as it passes: moves the store's time while it plays, and tells panels of it at a pace they can follow. */
+import { made } from './made.ts';
 import type { Store, View } from './store.ts';
 
 /** ms between two redraws of a panel while the run plays; air picture and cursors follow every frame. */
@@ -98,8 +99,7 @@ const kPacers = new WeakMap<Store, Pacer>();
 
 /** Like Store.subscribe, but while the run plays at most ten times a second. All of a store go by the watch of the first. */
 export function subscribe_paced(store: Store, listener: () => void, watch = kWatch): () => void {
-  let pacer = kPacers.get(store);
-  if (!pacer) kPacers.set(store, (pacer = new Pacer(store, watch)));
+  const pacer = made(kPacers, store, () => new Pacer(store, watch));
   pacer.listeners.add(listener);
   return () => pacer.listeners.delete(listener);
 }

@@ -5,7 +5,7 @@ import { type Coast, coast_of, draw_shores, kReach } from '../coast.ts';
 import type { Eye } from '../eye.ts';
 import type { Origin } from '../geo.ts';
 import { draw_grid, grid_of, is_near, kClear, kHazy } from '../grid.ts';
-import { css, type Palette } from '../palette.ts';
+import { css, fill, type Palette } from '../palette.ts';
 import { FlatLines } from './lines.ts';
 import { circle_on_ground, trace_area } from './areas.ts';
 
@@ -35,8 +35,7 @@ export class FlatGround {
     if (!plain) {
       const sea = new Path2D();
       trace_area(sea, eye, this.disc);
-      context.fillStyle = css(palette.sea);
-      context.fill(sea);
+      fill(context, palette.sea, 1, sea);
     }
     if (coast) this.draw_land(context, eye, palette);
     if (!plain) this.draw_haze(context, eye, palette, x, z);
@@ -49,8 +48,7 @@ export class FlatGround {
     const land = new Path2D();
     const { land: corners } = this.coast;
     for (let i = 0; i < corners.length / 3; i += 3) trace_area(land, eye, corners, i, 3);
-    context.fillStyle = css(palette.land);
-    context.fill(land);
+    fill(context, palette.land, 1, land);
     this.shores.draw(context, eye);
   }
 
@@ -62,8 +60,7 @@ export class FlatGround {
       veil.rect(0, 0, eye.width, eye.height);
       trace_area(veil, eye, circle_on_ground(x, z, kReach * (kClear + ((kHazy - kClear) * (k + 0.5)) / kVeils)));
       const left = 1 - MathUtils.smoothstep(k + 1, 0, kVeils);
-      context.fillStyle = css(palette.sky, 1 - left / clear);
-      context.fill(veil, 'evenodd');
+      fill(context, palette.sky, 1 - left / clear, veil, 'evenodd');
       clear = left;
     }
   }

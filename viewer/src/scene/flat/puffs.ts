@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Fire and smoke on a flat canvas: a soft disc for each colour, scaled to what is needed. */
+import { made } from '../../made.ts';
 import type { Eye } from '../eye.ts';
 import type { Discs } from '../painter.ts';
 import { css } from '../palette.ts';
@@ -40,8 +41,7 @@ export class FlatPuffs implements Discs {
     for (const [x, y, z, km, least, tint, alpha] of this.puffs) {
       if (!eye.project(x, y, z) || !eye.on_screen(kLargest)) continue;
       const radius = Math.min(kLargest, Math.max(least * eye.ui, km / eye.km_per_px_at()));
-      let disc = this.discs.get(tint);
-      if (!disc) this.discs.set(tint, (disc = disc_of(tint)));
+      const disc = made(this.discs, tint, () => disc_of(tint));
       context.globalAlpha = Math.min(1, alpha);
       context.drawImage(disc, eye.px - radius, eye.py - radius, 2 * radius, 2 * radius);
     }
