@@ -46,11 +46,7 @@ function draw_cut({ pen, height, rem }: Sheet, x: number): void {
   const notch = 0.4 * rem;
   pen.fillStyle = color('ink');
   pen.fillRect(x - 1, 0, 2, height);
-  pen.beginPath();
-  pen.moveTo(x - notch, 0);
-  pen.lineTo(x + notch, 0);
-  pen.lineTo(x, notch);
-  pen.fill();
+  pen.fill(new Path2D(`M${x - notch} 0H${x + notch}L${x} ${notch}Z`));
 }
 
 /** A strip of spans; `marked` stretches (s) get a bar above them, and `cut` (s) a line through them. */

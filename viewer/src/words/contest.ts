@@ -21,13 +21,6 @@ export interface Won {
   rivals: Rival[];  // By vote, the highest first; what a blend is made of, too.
 }
 
-const kNobody = new Int16Array(0);
-
-/** By field who supplied what a node proposed; empty if it proposed nothing. */
-function suppliers(shape: Shape, node: number): Int16Array {
-  return shape.supplier[node] ?? kNobody;
-}
-
 /** The branches in which two nodes are where their ways from the root part. Of two of which one is above
  * the other, the upper one is itself. */
 export function parting(tree: Tree, a: number, b: number): [number, number] {
@@ -65,7 +58,7 @@ export function contest(run: Run, player: number, index: number): Won[] {
 
   const won = (winner: number, field: number): Won => {
     const rivals = tree.nodes.flatMap(({ children }, node): Rival[] => {
-      if (node === winner || children.length > 0 || !(suppliers(shape, node)[field]! >= 0)) return [];
+      if (node === winner || children.length > 0 || !(shape.supplier[node]?.[field]! >= 0)) return [];
       const [its, mine] = parting(tree, node, winner);
       return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]! }];
     });
@@ -73,7 +66,7 @@ export function contest(run: Run, player: number, index: number): Won[] {
     const blended = tree.nodes[winner]!.children.length > 0;
     return { field, value: value(winner, field), winner, blended, reason: reason({ blended, rivals }), rivals };
   };
-  return Array.from(suppliers(shape, 0)).flatMap((winner, field) => (winner >= 0 ? won(winner, field) : []));
+  return Array.from(shape.supplier[0] ?? []).flatMap((winner, field) => (winner >= 0 ? won(winner, field) : []));
 }
 
 /** What a node has to say of itself: "failed: no target", "not asked", "running, votes 40". */
@@ -100,7 +93,7 @@ function transition(tree: Tree, shape: Shape, sequencer: number): string {
     if (shape.status[child] === null) continue;
     const { label } = tree.nodes[child]!;
     if (shape.vote[child]! > 0) to = ` for ${label}`;
-    else if (shape.status[child] === 'success' && !suppliers(shape, child).some((supplier) => supplier >= 0)) because += `${because ? ', ' : ': '}${label} holds`;
+    else if (shape.status[child] === 'success' && !shape.supplier[child]?.some((supplier) => supplier >= 0)) because += `${because ? ', ' : ': '}${label} holds`;
   }
   return to + because;
 }
