@@ -54,18 +54,27 @@ function pull_in(ring: Ring): Ring {
 
 /** What of the ring lies within reach: Sutherland and Hodgman's, edge by edge of a polygon for the circle. */
 function clip(ring: Ring): Ring {
+  let inside = ring;
   const edge = kReach * Math.cos(Math.PI / kCorners);
-  const angles = Array.from({ length: kCorners }, (_, k) => (2 * Math.PI * k) / kCorners);
-  return angles.reduce((inside, angle) => {
-    const beyond = ([x, y]: Point): number => x * Math.cos(angle) + y * Math.sin(angle) - edge;
-    return inside.flatMap((a, i) => {
+  for (let k = 0; k < kCorners && inside.length; ++k) {
+    const angle = (2 * Math.PI * k) / kCorners;
+    const c = Math.cos(angle);
+    const s = Math.sin(angle);
+    const next: Ring = [];
+    for (let i = 0; i < inside.length; ++i) {
+      const a = inside[i]!;
       const b = inside[(i + 1) % inside.length]!;
-      const [da, db] = [beyond(a), beyond(b)];
-      const kept = da <= 0 ? [a] : [];
-      const u = da / (da - db);
-      return da <= 0 === db <= 0 ? kept : [...kept, [a[0] + (b[0] - a[0]) * u, a[1] + (b[1] - a[1]) * u] as Point];
-    });
-  }, ring);
+      const da = a[0] * c + a[1] * s - edge;
+      const db = b[0] * c + b[1] * s - edge;
+      if (da <= 0) next.push(a);
+      if (da <= 0 !== db <= 0) {
+        const u = da / (da - db);
+        next.push([a[0] + (b[0] - a[0]) * u, a[1] + (b[1] - a[1]) * u]);
+      }
+    }
+    inside = next;
+  }
+  return inside;
 }
 
 /** Rings of the globe are closed: their first point is also their last. */

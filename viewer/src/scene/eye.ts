@@ -87,8 +87,9 @@ export class Eye {
     const [dx, dy] = [this.qx - px, this.qy - py];
     let from = 0;
     let to = 1;
-    for (const [way, inside] of [[-dx, px], [dx, width - px], [-dy, py], [dy, height - py]] as const) {
-      const room = kAround + inside;
+    for (let side = 0; side < 4; ++side) {
+      const way = side === 0 ? -dx : side === 1 ? dx : side === 2 ? -dy : dy;
+      const room = kAround + (side === 0 ? px : side === 1 ? width - px : side === 2 ? py : height - py);
       if (way === 0 && room < 0) return false;
       if (way < 0) from = Math.max(from, room / way);
       else if (way > 0) to = Math.min(to, room / way);

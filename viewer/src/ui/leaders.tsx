@@ -122,12 +122,9 @@ export function Legend({ player }: { player: Player }) {
     return [...new Set([...led, ...would])];
   }, [page, player, answer]);
   return (
-    <div class="row legend-row">
-      <div class="row-label" />
-      <ul class="row-plot legend" aria-label="Colours of behaviors">
-        {labels.map((label) => <li key={label}><Chip label={label} />{label}</li>)}
-      </ul>
-    </div>
+    <Row class="legend-row">
+      <ul class="legend" aria-label="Colours of behaviors">{labels.map((label) => <li key={label}><Chip label={label} />{label}</li>)}</ul>
+    </Row>
   );
 }
 
@@ -151,13 +148,10 @@ export function EveryoneRow() {
     });
   }, [page, range]);
   return (
-    <div class="row everyone" data-row="everyone" style={{ height: `${players.length * (page.twin ? 1.3 : 0.95)}rem` }}>
-      <div class="row-label">
-        {players.map((player) => (
-          <span key={player.name} class={`lane-name ${player.side} ${player.index === selected ? 'strong' : ''}`}>{player.name}</span>
-        ))}
-      </div>
-      <div class="row-plot"><canvas class="fill" ref={canvas} role="img" aria-label="Which behavior led every player" /></div>
-    </div>
+    <Row row="everyone" class="everyone" height={`${players.length * (page.twin ? 1.3 : 0.95)}rem`} label={players.map((player) => (
+      <span key={player.name} class={`lane-name ${player.side} ${player.index === selected ? 'strong' : ''}`}>{player.name}</span>
+    ))}>
+      <canvas class="fill" ref={canvas} role="img" aria-label="Which behavior led every player" />
+    </Row>
   );
 }

@@ -106,12 +106,12 @@ export function Stack({ children }: { children: ComponentChildren }) {
   );
 }
 
-/** A row of the stack: a label, then the axis of time. */
-export function Row({ row, label, class: name = '', scrub, children }: {
-  row: string; label: ComponentChildren; class?: string; scrub?: boolean; children: ComponentChildren;
+/** A row of the stack: a label, then the axis of time. Without a name of its own it is nothing to the pointer. */
+export function Row({ row, label = '', class: name = '', height, scrub, children }: {
+  row?: string; label?: ComponentChildren; class?: string; height?: string; scrub?: boolean; children: ComponentChildren;
 }) {
   return (
-    <div class={`row ${name}`} data-row={row} data-scrub={scrub ? '' : undefined}>
+    <div class={`row ${name}`} data-row={row} data-scrub={scrub ? '' : undefined} style={{ height }}>
       <div class="row-label">{label}</div>
       <div class="row-plot">{children}</div>
     </div>
