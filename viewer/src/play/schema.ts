@@ -30,8 +30,9 @@ export function place_of(text: string): Place {
   const written = text.endsWith(':') ? `${text} x` : `${text}x`;
   const last = yamlLanguage.parser.parse(written).resolve(written.length, -1);
   const column = (place: number): number => place - written.lastIndexOf('\n', place - 1);
-  // what stands deeper than the keys around it is below the one before it
-  const below = last.type.isError && column(last.from) > column(last.parent!.from) ? last.prevSibling?.lastChild : null;
+  // what stands deeper than the key before it, where nothing can stand, is below that
+  const before = last.type.isError ? last.prevSibling : null;
+  const below = before && column(last.from) > column(before.from) ? before.lastChild : null;
   const path: string[] = [];
   let at: Place['at'] = 'key';
   for (let node = below ?? last; node.parent; node = node.parent) {
