@@ -128,8 +128,9 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
       ASSERT_EQ(won.held, !sets(won.winner, index));
       held += won.held;
       const double value = said.at({won.held ? 0 : won.winner, index});
-      if (won.value.number)
+      if (won.value.number) {
         ASSERT_NEAR(value, *won.value.number, 1.501e-3) << won.value.name;
+      }
     }
   }
   EXPECT_EQ(at, steps.size());

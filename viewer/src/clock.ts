@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Time as it passes: moves the store's time while it plays, and tells panels of it at a pace they can follow. */
+import { made } from './made.ts';
 import type { Store, View } from './store.ts';
 
 /** ms between two redraws of a panel while the run plays; air picture and cursors follow every frame. */
@@ -22,33 +23,49 @@ const kWatch: Watch = {
   },
 };
 
+/** Pictures that follow each other: calls `draw` for each with the s that have passed, as long as it says that there is more. */
+export class Frames {
+  private handle = 0;
+  private last = 0;
+
+  constructor(private readonly draw: (passed: number) => boolean, private readonly watch = kWatch) {}
+
+  start(): void {
+    if (this.handle) return;
+    this.last = this.watch.now();
+    this.next();
+  }
+  /** For good. */
+  stop(): void {
+    cancelAnimationFrame(this.handle);
+    this.handle = -1;
+  }
+  private next(): void {
+    this.handle = requestAnimationFrame((now) => {
+      // a frame may have begun before the clock was started
+      const passed = Math.max(0, Math.min(now - this.last, kLongestFrame)) / 1000;
+      this.handle = 0;
+      this.last = now;
+      if (this.draw(passed) && !this.handle) this.next();
+    });
+  }
+}
+
 /** Plays to the end of the timeline. Returns how to stop it for good. */
 export function run_clock(store: Store, watch = kWatch): () => void {
-  let handle = 0;
-  let last = 0;
-  const frame = (now: number): void => {
+  const frames = new Frames((passed) => {
     const { playing, time, rate, end } = store.get();
-    handle = 0;
-    if (!playing) return;
-    // a frame may have begun before the clock was started
-    const passed = Math.max(0, Math.min(now - last, kLongestFrame)) / 1000;
-    last = now;
     const next = Math.min(end, time + passed * rate);
-    store.set(next >= end ? { time: next, playing: false } : { time: next });
-    if (store.get().playing) handle = requestAnimationFrame(frame);
-  };
-  const start = (): void => {
-    if (handle) return;
-    last = watch.now();
-    handle = requestAnimationFrame(frame);
-  };
+    if (playing) store.set(next >= end ? { time: next, playing: false } : { time: next });
+    return store.get().playing;
+  }, watch);
   const stop = store.subscribe((now, before) => {
-    if (now.playing && !before.playing) start();
+    if (now.playing && !before.playing) frames.start();
   });
-  if (store.get().playing) start();
+  if (store.get().playing) frames.start();
   return () => {
     stop();
-    cancelAnimationFrame(handle);
+    frames.stop();
   };
 }
 
@@ -82,8 +99,7 @@ const kPacers = new WeakMap<Store, Pacer>();
 
 /** Like Store.subscribe, but while the run plays at most ten times a second. All of a store go by the watch of the first. */
 export function subscribe_paced(store: Store, listener: () => void, watch = kWatch): () => void {
-  let pacer = kPacers.get(store);
-  if (!pacer) kPacers.set(store, (pacer = new Pacer(store, watch)));
+  const pacer = made(kPacers, store, () => new Pacer(store, watch));
   pacer.listeners.add(listener);
   return () => pacer.listeners.delete(listener);
 }

@@ -16,10 +16,14 @@ test('a key is found by its column', () => {
   assert.deepEqual(place('blue:\n  flights:\n    eagle:\n      tree: sweep\n      bi|'), ['blue.flights.eagle', 'key', 'bi']);
   assert.deepEqual(place('blue:\n  flights:\n    eagle:\n      tree: sweep\n    |'), ['blue.flights', 'key', '']);
   assert.deepEqual(place('blue:\n  home: {}\nred:\n  ho|'), ['red', 'key', 'ho']);
+  assert.deepEqual(place('trees:\n|'), ['', 'key', '']);
+  assert.deepEqual(place('trees:\n  mean:\n  |'), ['trees', 'key', '']);
+  assert.deepEqual(place('eagle:\n  route:\n    - {north: 1 nmi}\n    |'), ['eagle.route', 'key', '']);
 });
 
 test('a value is found behind its key', () => {
   assert.deepEqual(place('ends: |'), ['ends', 'value', '']);
+  assert.deepEqual(place('ends:|'), ['ends', 'value', '']);
   assert.deepEqual(place('eyrie: 1\nblue:\n  bingo: 20 k|'), ['blue.bingo', 'value', '20 k']);
   assert.deepEqual(place('"ends": bl|'), ['ends', 'value', 'bl']);
 });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** A person at the controls of an aircraft: keyboard, pointer and gamepad make the numbers that are flown instead of the tree's. They are
  * said to the program at most twenty times a second, and only when they change. */
+import { MathUtils } from 'three';
 import { listen } from '../events.ts';
 import { convergence } from '../scene/geo.ts';
 import { last_at, type Player, type TrackSeen } from '../run/run.ts';
@@ -34,7 +35,6 @@ const kSpeedUp = 25;  // m/s
 const kLowest = 60;  // m
 const kSlowest = 60;  // m/s
 const kFastest = 900;
-const kFull = 2 * Math.PI;
 /** Of a stick that rests. */
 const kDead = 0.12;
 const kAhead = 1;  // rad: from the way it flies to where a stick at its stop shows.
@@ -60,12 +60,8 @@ const kActs = new Map(kKeys.flatMap(({ keys, act }) => keys.map((key) => [key, a
 /** Of a standard gamepad. */
 const kButtons: (Act | null)[] = ['shoot', 'dispense', 'gun', 'next', 'radar', 'stick', null, null, 'help', 'hand_back'];
 
-function wrapped(angle: number): number {
-  return ((angle % kFull) + kFull) % kFull;
-}
-function within(value: number, least: number, most: number): number {
-  return Math.min(Math.max(value, least), most);
-}
+const { clamp, euclideanModulo } = MathUtils;
+const wrapped = (angle: number): number => euclideanModulo(angle, 2 * Math.PI);
 
 /** A held key, or a stick that is moved, for `s` seconds. Ways are from -1 to 1: right, up, faster. */
 export function steered(wanted: Wanted, [right, up, faster]: readonly [number, number, number], s: number): Wanted {
@@ -73,8 +69,8 @@ export function steered(wanted: Wanted, [right, up, faster]: readonly [number, n
   return {
     ...wanted,
     heading: wrapped(wanted.heading + right * kTurn * s),
-    altitude: within(wanted.altitude + up * kClimb * s, kLowest, 18_000),
-    speed: within(wanted.speed + faster * kSpeedUp * s, kSlowest, kFastest),
+    altitude: clamp(wanted.altitude + up * kClimb * s, kLowest, 18_000),
+    speed: clamp(wanted.speed + faster * kSpeedUp * s, kSlowest, kFastest),
     // keys take over from the pointer
     ...(right || up ? { climb: null, pointer: false } : {}),
   };
@@ -82,9 +78,9 @@ export function steered(wanted: Wanted, [right, up, faster]: readonly [number, n
 
 /** As stick and throttle fly it: the way it flies is turned to where the stick shows, as hard as it is moved, and stays when it is let go. */
 export function pulled(wanted: Wanted, [right, up, faster]: readonly [number, number, number], flown: { heading: number; climb: number }, s: number): Wanted {
-  const speed = within(wanted.speed + faster * kSpeedUp * s, kSlowest, kFastest);
+  const speed = clamp(wanted.speed + faster * kSpeedUp * s, kSlowest, kFastest);
   const hard = Math.min(1, Math.hypot(right, up));
-  if (hard) return { ...wanted, speed, heading: wrapped(flown.heading + right * kAhead), climb: within(flown.climb + up * kAhead, -kSteepest, kSteepest), load_factor: 1 + hard * kPull };
+  if (hard) return { ...wanted, speed, heading: wrapped(flown.heading + right * kAhead), climb: clamp(flown.climb + up * kAhead, -kSteepest, kSteepest), load_factor: 1 + hard * kPull };
   return wanted.load_factor === null && wanted.climb !== null ? { ...wanted, speed } : { ...wanted, speed, ...flown, load_factor: null };
 }
 
@@ -286,7 +282,7 @@ export class Hands {
     const way = wanted.pointer && this.pointed && this.live.scene?.way_to(wanted.player, ...this.pointed);
     if (!way) return wanted;
     const player = this.player!;
-    return { ...wanted, heading: this.true_way(player, way.heading), climb: within(way.climb, -0.8, 0.8), altitude: player.motion.up.at(-1)! };
+    return { ...wanted, heading: this.true_way(player, way.heading), climb: clamp(way.climb, -0.8, 0.8), altitude: player.motion.up.at(-1)! };
   }
 }
 

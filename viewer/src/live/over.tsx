@@ -6,6 +6,7 @@ import { useReducer, useEffect } from 'preact/hooks';
 import type { TrackSeen } from '../run/run.ts';
 import { subscribe_paced } from '../clock.ts';
 import { convergence } from '../scene/geo.ts';
+import { turn } from '../scene/motion.ts';
 import { use_page } from '../ui/page.ts';
 import { use_cell } from '../ui/use.ts';
 import { count_text, heading_text, height_text, quantity_text } from '../words/text.ts';
@@ -72,7 +73,7 @@ function Table({ live, wanted }: { live: Live; wanted: Wanted }) {
   const told = (name: 'heading' | 'altitude' | 'speed', text: (value: number) => string): { text: string; by: string; other: boolean } | null => {
     const found = tree.get(name);
     if (!found || Number.isNaN(found.value)) return null;
-    const off = Math.abs(name === 'heading' ? Math.atan2(Math.sin(found.value - wanted.heading), Math.cos(found.value - wanted.heading)) : found.value - wanted[name]);
+    const off = Math.abs(name === 'heading' ? turn(wanted.heading, found.value) : found.value - wanted[name]);
     return { text: text(found.value), by: found.by, other: off > kAlike[name] };
   };
   const north = convergence(run.origin, { east: last(player.motion.east), north: last(player.motion.north) });

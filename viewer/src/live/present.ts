@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** The time that the page shows of a mission that goes on: smooth, and hardly behind what was flown. Who looks back is left alone until he
  * comes to the present again. */
+import { Frames } from '../clock.ts';
 import { Cell, type Store } from '../store.ts';
 
 /** s of the clock behind what is flown: what comes in leaps is smooth then. */
 const kBehind = 0.05;
 /** s: who is this far off is put there at once. */
 const kLeap = 0.4;
-/** ms; a page that was in the background goes on from where it is. */
-const kLongestFrame = 250;
 
 /** The next time to show, `passed` s of the clock after `shown`. */
 export function next_shown(shown: number, flown: number, rate: number, passed: number): number {
@@ -23,9 +22,8 @@ export class Present {
   private flown = 0;
   private rate = 1;  // Of the mission; Infinity: as fast as it goes.
   private paused = true;
-  private last = 0;
-  private handle = 0;
   private moving = false;  // It is this that sets the time.
+  private readonly frames = new Frames((passed) => this.frame(passed));
 
   constructor(private readonly store: Store) {
     store.subscribe((now, before) => {
@@ -64,8 +62,7 @@ export class Present {
     this.run();
   }
   stop(): void {
-    cancelAnimationFrame(this.handle);
-    this.handle = -1;
+    this.frames.stop();
   }
 
   private show(time: number): void {
@@ -74,19 +71,14 @@ export class Present {
     this.moving = false;
   }
   private run(): void {
-    if (this.handle || !this.store.get().playing) return;
-    this.last = performance.now();
-    this.handle = requestAnimationFrame((now) => this.frame(now));
+    if (this.store.get().playing) this.frames.start();
   }
-  private frame(now: number): void {
+  private frame(passed: number): boolean {
     const { time, playing, rate } = this.store.get();
-    this.handle = 0;
-    if (!playing) return;
-    const passed = Math.max(0, Math.min(now - this.last, kLongestFrame)) / 1000;
+    if (!playing) return false;
     if (this.following.get()) this.show(next_shown(time, this.flown, this.rate, passed));
     else if (time + passed * rate >= this.flown) this.now();
     else this.show(time + passed * rate);
-    this.last = now;
-    this.handle ||= requestAnimationFrame((next) => this.frame(next));
+    return true;
   }
 }

@@ -6,17 +6,17 @@ import { clock_text, count_text } from '../words/text.ts';
 import type { Flight } from './flights.ts';
 
 const kSides = ['blue', 'red'] as const;
+const kCounts = ['kills', 'losses', 'shots', 'home'] as const;
 const ended = ({ outcome }: Outcome): string => outcome.replaceAll('_', ' ');
 
 function Tally({ outcome }: { outcome: Outcome }) {
   return (
     <table class="tally">
-      <thead><tr><th /><th scope="col">kills</th><th scope="col">losses</th><th scope="col">shots</th><th scope="col">home</th></tr></thead>
+      <thead><tr><th />{kCounts.map((name) => <th key={name} scope="col">{name}</th>)}</tr></thead>
       <tbody>
-        {kSides.map((side) => {
-          const { kills, losses, shots, home } = outcome[side];
-          return <tr key={side} data-side={side}><th scope="row" class={side}>{side}</th>{[kills, losses, shots, home].map((n, i) => <td key={i}>{n}</td>)}</tr>;
-        })}
+        {kSides.map((side) => (
+          <tr key={side} data-side={side}><th scope="row" class={side}>{side}</th>{kCounts.map((name) => <td key={name}>{outcome[side][name]}</td>)}</tr>
+        ))}
       </tbody>
     </table>
   );
@@ -78,8 +78,7 @@ function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; o
     <section class="flights" aria-label="Flights">
       <table>
         <thead>
-          <tr><th scope="col">#</th><th scope="col">scenario</th><th scope="col">seed</th><th scope="col">ended</th>
-            <th scope="col">blue lost</th><th scope="col">red lost</th><th scope="col">hash</th><th /></tr>
+          <tr>{['#', 'scenario', 'seed', 'ended', 'blue lost', 'red lost', 'hash'].map((name) => <th key={name} scope="col">{name}</th>)}<th /></tr>
         </thead>
         <tbody>
           {flights.map((flight) => (

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** What may stand at a place of a scenario, from the JSON schema that the program makes of its catalog. */
+import { yamlLanguage } from '@codemirror/lang-yaml';
 
 export interface Schema {
   $ref?: string;
@@ -24,73 +25,28 @@ export interface Place {
   said: string;  // What stands of the key or value before the place.
 }
 
-const kKey = /^("[^"]*"|'[^']*'|[^\s#{}[\],&*!|>'"%@`:-][^#{}[\],:]*|-[^\s#{}[\],:]+)\s*:(?=\s|$)/;
-const kDash = /^-(\s+|$)/;
-const bare = (key: string): string => key.trim().replace(/^(["'])(.*)\1$/, '$2');
-
-/** Follows a line through the braces that are open in it, each with the key that it is at: "" for a map without one so far, "-" for a
- * list. Gives the word that is being written at its end. */
-function follow_braces(line: string, open: string[]): string {
-  let word = '';
-  for (const { 0: token, groups } of line.matchAll(/(?<comment>(?<!\S)#.*)|"[^"]*"?|'[^']*'?|(?<colon>:(?!\S))|[^]/g)) {
-    const last = open.length - 1;
-    const is_list = open[last] === '-';
-    if (groups!['comment'] !== undefined) break;
-    if (token === '{' || token === '[') open.push(token === '{' ? '' : '-');
-    else if (token === '}' || token === ']') open.pop();
-    else if (token === ',') open[last] = is_list ? '-' : '';
-    else if (groups!['colon'] && !is_list) open[last] = bare(word);
-    else {
-      word += token;
-      continue;
-    }
-    word = '';
-    if (!open.length) break;
-  }
-  return word.trimStart();
-}
-
-/** Where the end of a text is. */
+/** Where the end of a text is: what the editor's own parser makes of a letter that is written there. */
 export function place_of(text: string): Place {
-  const block: { column: number; key: string }[] = [];
-  const open: string[] = [];
+  const written = text.endsWith(':') ? `${text} x` : `${text}x`;
+  const last = yamlLanguage.parser.parse(written).resolve(written.length, -1);
+  const column = (place: number): number => place - written.lastIndexOf('\n', place - 1);
+  // what stands deeper than the key before it, where nothing can stand, is below that
+  const before = last.type.isError ? last.prevSibling : null;
+  const below = before && column(last.from) > column(before.from) ? before.lastChild : null;
+  const path: string[] = [];
   let at: Place['at'] = 'key';
-  let said = '';
-  const close = (is_over: (one: (typeof block)[number]) => boolean): void => {
-    while (block.length && is_over(block.at(-1)!)) block.pop();
-  };
-  const lines = text.split('\n');
-  for (const line of lines) {
-    let column = line.search(/\S|$/);
-    let rest = open.length ? line : line.slice(column);
-    if (!open.length) {
-      said = rest;
-      if (rest.startsWith('#')) continue;
-      at = 'key';
-      if (rest) close((one) => one.column > column);
-      for (let dash = kDash.exec(rest); dash; dash = kDash.exec(rest)) {
-        // an item may stand in the column of the key that it belongs to
-        close(({ column: other, key }) => other > column || (other === column && key === '-'));
-        block.push({ column, key: '-' });
-        column += dash[0].length;
-        said = rest = rest.slice(dash[0].length);
-      }
-      const key = kKey.exec(rest);
-      if (key) {
-        close((one) => one.column >= column);
-        block.push({ column, key: bare(key[1]!) });
-        at = 'value';
-        rest = rest.slice(key[0].length);
-        said = rest.trimStart();
-      }
-      if (!/^\s*[{[]/.test(rest)) continue;
-    }
-    said = follow_braces(rest, open);
-    at = open.length && !['', '-'].includes(open.at(-1)!) ? 'value' : 'key';
+  for (let node = below ?? last; node.parent; node = node.parent) {
+    const { parent } = node;
+    if (node.name === 'Item') path.unshift('-');
+    if (parent.name !== 'Pair' || node.name === 'Key') continue;
+    const { from = 0, to = 0 } = parent.getChild('Key') ?? {};
+    const in_braces = parent.parent?.name === 'FlowMapping';
+    if (!in_braces && column(from) >= column(last.from)) continue;
+    path.unshift(text.slice(from, to).replace(/^(["'])(.*)\1$/, '$2'));
+    // below its key it is the first key of a map
+    if (node === last && (in_braces || !text.slice(to, node.from).includes('\n'))) at = 'value';
   }
-  const column = open.length || at === 'value' ? Infinity : lines.at(-1)!.length - said.length;
-  const path = [...block.filter((one) => one.column < column).map(({ key }) => key), ...open].filter((key) => key !== '');
-  return { path, at, said };
+  return { path, at, said: text.slice(last.from).trimStart() };
 }
 
 export class Grammar {

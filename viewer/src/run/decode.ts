@@ -198,7 +198,16 @@ export function missile_of<C>(read: Read<C>, m: MissileData<C>): Missile {
   return { ...m, active: m.active ?? NaN, motion: table(read, m.motion) };
 }
 
-function run_of(document: Document, read: Read<Column>): Run {
+/** The document and the bytes of its columns. */
+export function taken_apart<D = Document>(bytes: Uint8Array): [D, Uint8Array] {
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
+  return [JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as D, bytes.subarray(4 + length)];
+}
+
+/** Of what src/page wrote. Throws an Error with words if it is of another format. */
+export function decode(bytes: Uint8Array): Run {
+  const [document, columns] = taken_apart(bytes);
+  const read = (column: Column): Float64Array => read_column(columns, column);
   if (document.format !== kFormat)
     throw new Error(`this page reads data of format ${kFormat}, and this run is of format ${document.format}`);
   const { about, texts } = document;
@@ -212,16 +221,4 @@ function run_of(document: Document, read: Read<Column>): Run {
     trees: document.trees.map(tree_of),
     shapes,
   };
-}
-
-/** The document and the bytes of its columns. */
-export function taken_apart<D = Document>(bytes: Uint8Array): [D, Uint8Array] {
-  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
-  return [JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as D, bytes.subarray(4 + length)];
-}
-
-/** Of what src/page wrote. Throws an Error with words if it is of another format. */
-export function decode(bytes: Uint8Array): Run {
-  const [document, columns] = taken_apart(bytes);
-  return run_of(document, (column) => read_column(columns, column));
 }

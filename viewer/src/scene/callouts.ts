@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** What was asked of the picture: who is who, how far it is from one to the other, and where another decision led. */
+import { made } from '../made.ts';
 import type { Player, Run } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
 import { heading_text, quantity_text } from '../words/text.ts';
@@ -72,18 +73,15 @@ export function draw_ruler({ run, view, players, lines, palette, eye, notes }: F
   notes.tag(-1, eye.px, eye.py, text, '', palette.ruler, null, 97);
 }
 
-/** The last path, as it is the same until another ghost is called. */
-const paths = new WeakMap<Run, { ghost: Ghost; path: GhostPoint[] }>();
+const paths = new WeakMap<Ghost, GhostPoint[]>();
 
 function path_of(run: Run, player: Player, ghost: Ghost): GhostPoint[] {
-  const last = paths.get(run);
-  if (last?.ghost === ghost) return last.path;
-  const start = { east: 0, north: 0, up: 0 };
-  place_at(player.motion, ghost.t, start);
-  const heading = ghost.heading === null ? null : ghost.heading - convergence(run.origin, start);
-  const path = ghost_path(player, { ...ghost, heading }, kGhostSpan);
-  paths.set(run, { ghost, path });
-  return path;
+  return made(paths, ghost, () => {
+    const start = { east: 0, north: 0, up: 0 };
+    place_at(player.motion, ghost.t, start);
+    const heading = ghost.heading === null ? null : ghost.heading - convergence(run.origin, start);
+    return ghost_path(player, { ...ghost, heading }, kGhostSpan);
+  });
 }
 
 export function draw_ghost({ run, view, lines, palette, eye, notes }: Frame): void {

@@ -5,6 +5,7 @@ import { feature } from 'topojson-client';
 import type { GeometryCollection, Topology } from 'topojson-specification';
 import land_110m from 'world-atlas/land-110m.json';
 import { kRadian, type Origin, sphere_at, to_map } from './geo.ts';
+import { turn } from './motion.ts';
 import type { Pens } from './painter.ts';
 import type { Palette } from './palette.ts';
 
@@ -41,9 +42,7 @@ function pull_in(ring: Ring): Ring {
       continue;
     }
     const from = Math.atan2(y, x);
-    let sweep = Math.atan2(ny, nx) - from;
-    if (sweep > Math.PI) sweep -= 2 * Math.PI;
-    if (sweep < -Math.PI) sweep += 2 * Math.PI;
+    const sweep = turn(from, Math.atan2(ny, nx));
     const steps = Math.hypot(nx, ny) > kFar ? Math.max(1, Math.ceil(Math.abs(sweep) / 0.4)) : 1;
     for (let k = 0; k < steps; ++k) {
       const angle = from + (sweep * k) / steps;
@@ -51,16 +50,6 @@ function pull_in(ring: Ring): Ring {
     }
   }
   return out;
-}
-
-/** Twice the signed area, counter-clockwise positive. */
-function winding(ring: Ring): number {
-  let sum = 0;
-  ring.forEach(([x, y], i) => {
-    const [nx, ny] = ring[(i + 1) % ring.length]!;
-    sum += x * ny - nx * y;
-  });
-  return sum;
 }
 
 /** What of the ring lies within reach: Sutherland and Hodgman's, edge by edge of a polygon for the circle. */
@@ -95,7 +84,7 @@ function fill(rings: number[][][], origin: Origin, out: number[]): void {
     const flat = pull_in(ring.slice(0, -1).map(([lon, lat]) => project(origin, lon!, lat!)));
     // outer rings of the atlas run clockwise; one that does not after projection has the antipode
     // inside, and with it lies far away
-    if (k === 0 && winding(flat) > 0) return;
+    if (k === 0 && ShapeUtils.area(flat.map(([x, y]) => new Vector2(x, y))) > 0) return;
     const cut = clip(flat);
     if (cut.length >= 3) clipped.push(cut.map(([x, y]) => new Vector2(x, y)));
     else if (k === 0) return;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 /** Where a proposal that lost would have led: a point that turns, climbs and speeds up as a fighter plausibly does. */
+import { MathUtils } from 'three';
 import type { Place, Player } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
 import { climb_at, gauge_at, new_pose, pose_at, turn } from './motion.ts';
 
+const { clamp } = MathUtils;
 const kGravity = 9.80665;
 /** Load factor of the turn, and how long it takes to roll into it (s). */
 const kLoad = 4;
@@ -29,10 +31,6 @@ export function turn_rate(speed: number, n: number): number {
   return (kGravity * Math.sqrt(n * n - 1)) / speed;
 }
 
-function toward(value: number, goal: number, up: number, down: number): number {
-  return value < goal ? Math.min(goal, value + up) : Math.max(goal, value - down);
-}
-
 /**
  * From the player's place at ghost.t, a point each `step` s for `span` s. What the ghost leaves open (null) is as flown.
  * Its heading counts from the map's north here.
@@ -52,23 +50,22 @@ export function ghost_path(player: Pick<Player, 'motion' | 'gauges' | 'kind'>, g
     now.t = ghost.t + since;
     pose_at(motion, now.t, flown);
 
-    speed = ghost.speed === null ? speed_flown(now.t) : toward(speed, Math.max(slowest, ghost.speed), kAccelerate * step, kBrake * step);
+    speed = ghost.speed === null ? speed_flown(now.t) : clamp(Math.max(slowest, ghost.speed), speed - kBrake * step, speed + kAccelerate * step);
 
     const before = now.heading;
     if (ghost.heading === null) {
       now.heading = flown.heading;
     } else {
       const most = turn_rate(speed, kLoad) * Math.min(1, since / kRollTime) * step;
-      now.heading += Math.min(most, Math.max(-most, turn(now.heading, ghost.heading)));
+      now.heading += clamp(turn(now.heading, ghost.heading), -most, most);
     }
 
     if (ghost.altitude === null) {
       now.up = flown.up;
       climb = climb_at(motion, now.t);
     } else {
-      const steep = (ghost.altitude - now.up) / kLevelTime;
-      const wanted = Math.min(speed * Math.sin(kSteepestClimb), Math.max(-speed * Math.sin(kSteepestDive), steep));
-      climb = toward(climb, wanted, kPull * step, kPull * step);
+      const wanted = clamp((ghost.altitude - now.up) / kLevelTime, -speed * Math.sin(kSteepestDive), speed * Math.sin(kSteepestClimb));
+      climb = clamp(wanted, climb - kPull * step, climb + kPull * step);
       now.up = Math.max(0, now.up + climb * step);
     }
 

@@ -3,7 +3,7 @@
 import { spoken } from '../words/text.ts';
 import { far_km, type Frame, near_km } from './frame.ts';
 import { type Grid, grid_of, round_down, round_up } from './grid.ts';
-import { css } from './palette.ts';
+import { fill, stroke } from './palette.ts';
 
 const kMargin = 14;
 /** Lines that are looked at along an edge. */
@@ -76,9 +76,7 @@ function draw_scale({ eye, notes, palette, view, run }: Frame): void {
   c.lineTo(right - length, y);
   c.lineTo(right, y);
   c.lineTo(right, y - 4 * ui);
-  c.strokeStyle = css(palette.text, 0.9);
-  c.lineWidth = 1.4 * ui;
-  c.stroke();
+  stroke(c, palette.text, 1.4 * ui, 0.9);
   const where = view.camera === 'follow' ? ` at ${run.players[view.selected]!.name}` : '';
   notes.write(`${size} ${small ? spoken().near[0] : spoken().far[0]}${where}`, right, y - 11 * ui, palette.text, 'right');
 }
@@ -95,19 +93,15 @@ function draw_north({ eye, notes, palette }: Frame): void {
   const north = -stance.azimuth;
   c.beginPath();
   c.ellipse(x, y, r, r * squash, 0, 0, 2 * Math.PI);
-  c.fillStyle = css(palette.chip, 0.6);
-  c.fill();
-  c.strokeStyle = css(palette.faint, 0.8);
-  c.lineWidth = ui;
-  c.stroke();
+  fill(c, palette.chip, 0.6);
+  stroke(c, palette.faint, ui, 0.8);
   for (const half of [1, -1]) {
     c.beginPath();
     c.moveTo(...way(north, 0.92));
     c.lineTo(...way(north + half * 2.6, 0.6));
     c.lineTo(...way(north + Math.PI, 0.25));
     c.closePath();
-    c.fillStyle = css(half > 0 ? palette.text : palette.faint);
-    c.fill();
+    fill(c, half > 0 ? palette.text : palette.faint);
   }
   const [nx, ny] = way(north, 1.45);
   notes.figure('N', nx, ny, palette.text);

@@ -63,18 +63,11 @@ function angle(values: Float64Array, i: number, u: number): number {
 const found = { i: 0, u: 0 };
 function find(motion: Motion, t: number): boolean {
   const times = motion.t;
-  const count = times.length;
-  if (count === 0) return false;
-  const i = last_at(times, t);
-  if (i < 0 || i >= count - 1) {
-    found.i = i < 0 ? 0 : count - 1;
-    found.u = 0;
-  } else {
-    const span = times[i + 1]! - times[i]!;
-    found.i = i;
-    found.u = span > 0 ? Math.min(1, Math.max(0, (t - times[i]!) / span)) : 0;
-  }
-  return true;
+  const i = Math.max(0, last_at(times, t));
+  const span = i + 1 < times.length ? times[i + 1]! - times[i]! : 0;
+  found.i = i;
+  found.u = span > 0 ? Math.min(1, Math.max(0, (t - times[i]!) / span)) : 0;
+  return times.length > 0;
 }
 
 const kAxes = ['east', 'north', 'up'] as const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** A flat canvas over the scene for all that is writing or a mark: labels that keep out of each other's way. */
 import type { Eye } from './eye.ts';
-import { css, type Palette } from './palette.ts';
+import { css, fill, stroke, type Palette } from './palette.ts';
 
 export type Mark = 'circle' | 'square' | 'diamond' | 'triangle' | 'cross';
 
@@ -39,9 +39,8 @@ function is_clear(taken: readonly number[], x: number, y: number, width: number,
 }
 
 export class Notes {
-  readonly canvas: HTMLCanvasElement;
+  readonly canvas = document.createElement('canvas');
   context: CanvasRenderingContext2D;
-  palette: Palette;
   ui = 1;
   covered: readonly number[] = [];  // x y width height of what lies over the picture.
   private tags: Tag[] = [];
@@ -54,9 +53,7 @@ export class Notes {
   private ratio = 1;
 
   /** `slow`: drawn by the processor, and better so without the detour over what only stands in for a graphics card. */
-  constructor(palette: Palette, slow: boolean) {
-    this.palette = palette;
-    this.canvas = document.createElement('canvas');
+  constructor(public palette: Palette, slow: boolean) {
     const context = this.canvas.getContext('2d', { willReadFrequently: slow });
     if (!context) throw new Error('no 2-D canvas');
     this.context = context;
@@ -102,14 +99,8 @@ export class Notes {
     } else {
       c.closePath();
     }
-    if (filled) {
-      c.fillStyle = css(tint, alpha);
-      c.fill();
-    } else {
-      c.strokeStyle = css(tint, alpha);
-      c.lineWidth = width * this.ui;
-      c.stroke();
-    }
+    if (filled) fill(c, tint, alpha);
+    else stroke(c, tint, width * this.ui, alpha);
   }
 
   /** Four corners around a place. */
@@ -125,9 +116,7 @@ export class Notes {
       c.lineTo(px + sx * r, py + sy * r);
       c.lineTo(px + sx * (r - arm), py + sy * r);
     }
-    c.strokeStyle = css(tint);
-    c.lineWidth = 1.6 * this.ui;
-    c.stroke();
+    stroke(c, tint, 1.6 * this.ui);
   }
 
   /** Bare writing on a faint ground, kept clear of by labels; left out where something stands. */
@@ -224,19 +213,12 @@ export class Notes {
       c.beginPath();
       c.moveTo(tag.px, tag.py);
       c.lineTo(Math.min(spot.x + width, Math.max(spot.x, tag.px)), Math.min(spot.y + height, Math.max(spot.y, tag.py)));
-      c.strokeStyle = css(tag.tint, 0.5);
-      c.lineWidth = ui;
-      c.stroke();
+      stroke(c, tag.tint, ui, 0.5);
     }
     c.beginPath();
     c.roundRect(spot.x, spot.y, width, height, tag.mark === 'circle' ? height / 2 : 2 * ui);
-    c.fillStyle = css(palette.chip, 0.8);
-    c.fill();
-    if (tag.priority >= 90) {
-      c.strokeStyle = css(tag.tint);
-      c.lineWidth = ui;
-      c.stroke();
-    }
+    fill(c, palette.chip, 0.8);
+    if (tag.priority >= 90) stroke(c, tag.tint, ui);
     if (tag.mark) this.mark(tag.mark, spot.x + 8.5 * ui, middle, 3.6, tag.tint, 1.5, tag.mark !== 'cross');
     c.textAlign = 'left';
     c.fillStyle = css(palette.text);

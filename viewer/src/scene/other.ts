@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Another run of the same players beside the one that was flown, such as its other future: where everybody would be, drawn hollow and
  * broken from where the two part. */
+import { made } from '../made.ts';
 import type { Run, Side } from '../run/run.ts';
 import { kSideMark, type Frame } from './frame.ts';
 import { Poses } from './motion.ts';
@@ -23,8 +24,7 @@ export function draw_other(frame: Frame): void {
   const { other, view, players, lines, palette, eye, notes } = frame;
   if (!other || view.time < other.from) return;
   const { run } = other;
-  let poses = kPoses.get(run);
-  if (!poses) kPoses.set(run, (poses = { players: new Poses(run.players), missiles: new Poses(run.missiles) }));
+  const poses = made(kPoses, run, () => ({ players: new Poses(run.players), missiles: new Poses(run.missiles) }));
   poses.players.update(view.time);
   poses.missiles.update(view.time);
   const place = (all: Poses, i: number): boolean => eye.project(all.x[i]!, all.y[i]!, all.z[i]!) && eye.on_screen();

@@ -45,10 +45,7 @@ function is_stand_in(context: WebGL2RenderingContext): boolean {
 }
 
 /** What the address asks for: "?draw=webgl" or "?draw=canvas" after the name of the file; null: what suits the machine. */
-function wish(): 'webgl' | 'canvas' | null {
-  const asked = new URLSearchParams(location.search).get('draw');
-  return asked === 'webgl' || asked === 'canvas' ? asked : null;
-}
+const wish = (): string | null => new URLSearchParams(location.search).get('draw');
 
 function new_canvas(): HTMLCanvasElement {
   const canvas = document.createElement('canvas');

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The picture's colours, 0xRRGGBB, after Okabe and Ito's set that colour-blind people can tell apart; and how
  * models are lit: by the sky from above, by the ground from below, and by a sun. */
+import { made } from '../made.ts';
 import type { Side } from '../run/run.ts';
 import type { View } from '../store.ts';
 
@@ -41,12 +42,21 @@ const styles = new Map<number, string>();
 /** What a 2-D canvas calls the colour. */
 export function css(tint: number, alpha = 1): string {
   const key = tint * 256 + Math.round(alpha * 255);
-  let style = styles.get(key);
-  if (!style) {
-    style = `rgba(${tint >> 16},${(tint >> 8) & 255},${tint & 255},${alpha})`;
-    styles.set(key, style);
-  }
-  return style;
+  return made(styles, key, () => `rgba(${tint >> 16},${(tint >> 8) & 255},${tint & 255},${alpha})`);
+}
+
+/** Fills the pen's path, or another one. */
+export function fill(pen: CanvasRenderingContext2D, tint: number, alpha = 1, path?: Path2D, rule?: CanvasFillRule): void {
+  pen.fillStyle = css(tint, alpha);
+  if (path) pen.fill(path, rule);
+  else pen.fill();
+}
+
+/** Draws along the pen's path, so many px wide. */
+export function stroke(pen: CanvasRenderingContext2D, tint: number, width: number, alpha = 1): void {
+  pen.strokeStyle = css(tint, alpha);
+  pen.lineWidth = width;
+  pen.stroke();
 }
 
 export const kSky = 0xffffff;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Small models of what flies and drives, in m: the nose toward -z, right wing +x, up +y. Flat shaded, and never
  * smaller on screen than can be read. */
-import { BufferGeometry, Euler, Float32BufferAttribute, Matrix4, Vector3 } from 'three';
+import { BoxGeometry, BufferGeometry, Euler, Float32BufferAttribute, Matrix4, Vector3 } from 'three';
 import type { Missile, Player } from '../run/run.ts';
 import type { Eye } from './eye.ts';
 import { kCrowd } from './frame.ts';
@@ -64,14 +64,10 @@ class Modeller {
     const low = Math.min(...outline.map(([, y]) => y));
     this.plate(outline.map(([z, y]): Corner => [x + (y - low) * lean, y, z]), 0.12, [1, 0, 0]);
   }
+  /** On (x, y, z), the middle of its lower face. */
   box(x: number, y: number, z: number, width: number, height: number, length: number): void {
-    const [l, r, b, t, f, k] = [x - width / 2, x + width / 2, y, y + height, z - length / 2, z + length / 2];
-    this.quad([l, t, f], [l, t, k], [r, t, k], [r, t, f]);
-    this.quad([l, b, k], [l, b, f], [r, b, f], [r, b, k]);
-    this.quad([l, b, f], [l, t, f], [r, t, f], [r, b, f]);
-    this.quad([r, b, k], [r, t, k], [l, t, k], [l, b, k]);
-    this.quad([l, b, k], [l, t, k], [l, t, f], [l, b, f]);
-    this.quad([r, b, f], [r, t, f], [r, t, k], [r, b, k]);
+    const box = new BoxGeometry(width, height, length).translate(x, y + height / 2, z).toNonIndexed();
+    this.corners.push(...box.getAttribute('position').array);
   }
   done(length: number, outline: Shape['outline']): Shape {
     const geometry = new BufferGeometry();

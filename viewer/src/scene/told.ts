@@ -19,8 +19,7 @@ export function true_heading(run: Run, players: Poses, i: number): number {
 export function told(run: Run, view: View, players: Poses, missiles: Poses): string {
   const alive = { blue: 0, red: 0, none: 0 };
   for (const player of run.players) alive[player.side] += players.shown[player.index]!;
-  let flying = 0;
-  for (let i = 0; i < missiles.count; ++i) flying += missiles.shown[i]!;
+  const flying = missiles.shown.reduce((sum, shown) => sum + shown, 0);
   const sides = (['blue', 'red', 'none'] as const).filter((side) => run.players.some((p) => p.side === side))
     .map((side) => `${alive[side]} ${side === 'none' ? 'neutral' : side}`);
   const words = [`Air picture at ${clock_text(view.time)}, ${kCamera[view.camera]}: ${sides.join(', ')}, ${flying} missiles in flight.`];

@@ -53,8 +53,7 @@ function draw_missile(frame: Frame, missile: Missile, i: number, few: boolean): 
 
 export function draw_missiles(frame: Frame): void {
   const { run, view, missiles } = frame;
-  let flying = 0;
-  for (let i = 0; i < missiles.count; ++i) flying += missiles.shown[i]!;
+  const flying = missiles.shown.reduce((sum, shown) => sum + shown, 0);
   for (const [i, missile] of run.missiles.entries()) {
     if (view.time < missile.born) continue;
     if (view.layers.trails && view.time < missile.gone + kSmoke) draw_smoke(frame, missile);

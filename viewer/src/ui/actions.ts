@@ -10,17 +10,17 @@ export const kRates = [0.5, 1, 2, 4, 8, 16, 32, 64];
 /** s: the shortest stretch that the strips show. */
 const kShortest = 2;
 
-export function jump({ store }: Page, time: number): void {
-  const { zoom, end } = store.get();
-  const t = Math.min(Math.max(time, 0), end);
-  // what is jumped to must be in sight
-  if (zoom && (t < zoom[0] || t > zoom[1])) {
-    const half = (zoom[1] - zoom[0]) / 2;
-    const middle = Math.min(Math.max(t, half), end - half);
-    store.set({ time: t, zoom: [middle - half, middle + half] });
-  } else {
-    store.set({ time: t });
-  }
+export function jump(page: Page, time: number): void {
+  const t = Math.min(Math.max(time, 0), page.store.get().end);
+  page.store.set({ time: t });
+  bring_in_sight(page, t);
+}
+
+/** Into the middle of what the strips show, if it is outside of that. */
+export function bring_in_sight(page: Page, t: number): void {
+  const { zoom } = page.store.get();
+  const half = zoom && (zoom[1] - zoom[0]) / 2;
+  if (half && (t < zoom[0] || t > zoom[1])) zoom_to(page, t - half, t + half);
 }
 
 /** The decision that a line of the story comes of. */

@@ -2,6 +2,7 @@
 /** Canvases that fit their box, are sharp on every screen and follow the theme. */
 import type { RefObject } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { made } from '../made.ts';
 import { use_page } from './page.ts';
 import { use_size, use_view } from './use.ts';
 
@@ -57,12 +58,9 @@ const kMeasured = new Map<string, number>();
 
 /** px, of words in the font of the page. */
 export function text_width(text: string, size: number): number {
-  const key = `${size}/${text}`;
-  let width = kMeasured.get(key);
-  if (width === undefined) {
+  return made(kMeasured, `${size}/${text}`, () => {
     measuring ??= document.createElement('canvas').getContext('2d')!;
     measuring.font = `${size}px system-ui, sans-serif`;
-    kMeasured.set(key, (width = measuring.measureText(text).width));
-  }
-  return width;
+    return measuring.measureText(text).width;
+  });
 }

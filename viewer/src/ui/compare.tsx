@@ -7,7 +7,7 @@ import type { View } from '../store.ts';
 import { value_text, clock_text, reworded } from '../words/text.ts';
 import { jump, select } from './actions.ts';
 import { LeaderRow } from './leaders.tsx';
-import { namesake, use_page, type Page } from './page.ts';
+import { namesake, use_page, view_in, type Page } from './page.ts';
 import { label_of, path_of } from './spans.ts';
 
 /** What both views have in common; the other half of it is players of the same name. */
@@ -17,12 +17,10 @@ const kShared = ['time', 'playing', 'rate', 'camera', 'layers', 'zoom', 'theme',
 function passed_on(from: Page, to: Page, now: View, before: View): Partial<View> {
   const patch: Partial<View> = {};
   for (const key of kShared) if (now[key] !== before[key]) Object.assign(patch, { [key]: now[key] });
-  const named = (index: number): number => namesake(to, from.run.players[index]);
-  if (now.selected !== before.selected && named(now.selected) >= 0) patch.selected = named(now.selected);
-  if (now.ruler !== before.ruler) {
-    const [one, two] = now.ruler ? now.ruler.map(named) : [];
-    patch.ruler = one !== undefined && two !== undefined && one >= 0 && two >= 0 ? [one, two] : null;
-  }
+  const { ruler = null } = view_in(to.run, from.run, now);
+  if (now.ruler !== before.ruler) patch.ruler = ruler;
+  const selected = namesake(to, from.run.players[now.selected]);
+  if (now.selected !== before.selected && selected >= 0) patch.selected = selected;
   return patch;
 }
 

@@ -46,11 +46,7 @@ function draw_cut({ pen, height, rem }: Sheet, x: number): void {
   const notch = 0.4 * rem;
   pen.fillStyle = color('ink');
   pen.fillRect(x - 1, 0, 2, height);
-  pen.beginPath();
-  pen.moveTo(x - notch, 0);
-  pen.lineTo(x + notch, 0);
-  pen.lineTo(x, notch);
-  pen.fill();
+  pen.fill(new Path2D(`M${x - notch} 0H${x + notch}L${x} ${notch}Z`));
 }
 
 /** A strip of spans; `marked` stretches (s) get a bar above them, and `cut` (s) a line through them. */
@@ -126,12 +122,9 @@ export function Legend({ player }: { player: Player }) {
     return [...new Set([...led, ...would])];
   }, [page, player, answer]);
   return (
-    <div class="row legend-row">
-      <div class="row-label" />
-      <ul class="row-plot legend" aria-label="Colours of behaviors">
-        {labels.map((label) => <li key={label}><Chip label={label} />{label}</li>)}
-      </ul>
-    </div>
+    <Row class="legend-row">
+      <ul class="legend" aria-label="Colours of behaviors">{labels.map((label) => <li key={label}><Chip label={label} />{label}</li>)}</ul>
+    </Row>
   );
 }
 
@@ -155,13 +148,10 @@ export function EveryoneRow() {
     });
   }, [page, range]);
   return (
-    <div class="row everyone" data-row="everyone" style={{ height: `${players.length * (page.twin ? 1.3 : 0.95)}rem` }}>
-      <div class="row-label">
-        {players.map((player) => (
-          <span key={player.name} class={`lane-name ${player.side} ${player.index === selected ? 'strong' : ''}`}>{player.name}</span>
-        ))}
-      </div>
-      <div class="row-plot"><canvas class="fill" ref={canvas} role="img" aria-label="Which behavior led every player" /></div>
-    </div>
+    <Row row="everyone" class="everyone" height={`${players.length * (page.twin ? 1.3 : 0.95)}rem`} label={players.map((player) => (
+      <span key={player.name} class={`lane-name ${player.side} ${player.index === selected ? 'strong' : ''}`}>{player.name}</span>
+    ))}>
+      <canvas class="fill" ref={canvas} role="img" aria-label="Which behavior led every player" />
+    </Row>
   );
 }

@@ -2,6 +2,7 @@
 /** A sequencer at one decision as the state machine that it is: its trees are the states, drawn below each other with the transitions as
  * numbered arcs; each in words, in the order in which they are asked; and where the player has been. */
 import { useMemo, useRef } from 'preact/hooks';
+import { made } from '../made.ts';
 import { last_at, type Player, type Run, type Shape, type Tree } from '../run/run.ts';
 import { clock_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
@@ -72,12 +73,7 @@ export function Machine({ player, index, tree, shape, node }: Props) {
 
   // arcs of one pair are one; those from any state come from the side
   const arcs = new Map<string, { from: number; to: number; numbers: number[] }>();
-  rules.forEach(([from, to], i) => {
-    const key = `${from}/${to}`;
-    const arc = arcs.get(key) ?? { from, to, numbers: [] };
-    arc.numbers.push(i);
-    arcs.set(key, arc);
-  });
+  rules.forEach(([from, to], i) => made(arcs, `${from}/${to}`, () => ({ from, to, numbers: [] })).numbers.push(i));
   const wide = Math.max(...names.map((name) => text_width(name, kFont))) + 18;
   const reach = (Math.max(...rules.map(([from, to]) => (from < 0 ? 1 : Math.abs(to - from)))) + 1) * kReach + 22;
   const y_of = (i: number): number => (i + 0.5) * kRow;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Quantities over time for the strips, in the units people fly by. */
+import { made } from '../made.ts';
 import type { Player, Run } from '../run/run.ts';
 import { size_of_unit, spoken, type Unit } from '../words/text.ts';
 
@@ -54,18 +55,11 @@ const kMade = new WeakMap<Player, Map<string, Series | null>>();
 
 /** In the unit that people read, made once for each player; null if there is no such thing for it. */
 export function series_of(run: Run, player: Player, quantity: Quantity): Series | null {
-  let made = kMade.get(player);
-  if (!made) kMade.set(player, (made = new Map()));
-  const [symbol, ...unit] = quantity.unit();
-  const key = `${quantity.key} ${symbol}`;
-  let series = made.get(key);
-  if (series === undefined) {
-    series = quantity.of(run, player);
-    const one = size_of_unit([symbol, ...unit]);
-    if (series && one !== 1) series = { t: series.t, v: series.v.map((x) => x / one) };
-    made.set(key, (series = series?.v.every(Number.isNaN) ? null : series));
-  }
-  return series;
+  const unit = quantity.unit();
+  return made(made(kMade, player, () => new Map()), `${quantity.key} ${unit[0]}`, () => {
+    const series = quantity.of(run, player);
+    return !series || series.v.every(Number.isNaN) ? null : { t: series.t, v: series.v.map((x) => x / size_of_unit(unit)) };
+  });
 }
 
 /** s: a gap in what was seen that is longer than this is drawn as one. */

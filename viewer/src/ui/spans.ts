@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Who led in a player's tree over time, as spans; and a colour for each of them. */
+import { made } from '../made.ts';
 import type { Player, Run } from '../run/run.ts';
 
 export interface Span {
@@ -38,9 +39,7 @@ const kFlown = new WeakMap<Player, Span[]>();
 
 /** As it was flown; made once. */
 export function leader_spans(run: Run, player: Player): Span[] {
-  let spans = kFlown.get(player);
-  if (!spans) kFlown.set(player, (spans = spans_of(run, player, (i) => run.shapes[player.decisions.shape[i]!]!.leader)));
-  return spans;
+  return made(kFlown, player, () => spans_of(run, player, (i) => run.shapes[player.decisions.shape[i]!]!.leader));
 }
 
 // Paul Tol, "Colour schemes" (2021), light: hues that stay apart for colour-blind people; each in four tones that carry black words.
@@ -54,8 +53,7 @@ const kFills = new Map([['nobody', kNobodysFill], ['unknown', kNobodysFill]]);
 
 /** Of a behavior: the same in every run, by its name alone. */
 export function fill_of(label: string): string {
-  let fill = kFills.get(label);
-  if (!fill) {
+  return made(kFills, label, () => {
     let hash = kSeed;
     for (let i = 0; i < label.length; ++i) hash = Math.imul(hash ^ label.charCodeAt(i), 16777619) >>> 0;
     const slot = Math.imul(hash ^ (hash >>> 15), 0x2c1b3c6d) >>> 27;
@@ -64,7 +62,6 @@ export function fill_of(label: string): string {
       const [a, b] = [kHues[slot & 7]!, other].map((color) => (color >> shift) & 255) as [number, number];
       return Math.round(a + (b - a) * share).toString(16).padStart(2, '0');
     });
-    kFills.set(label, (fill = `#${mixed.join('')}`));
-  }
-  return fill;
+    return `#${mixed.join('')}`;
+  });
 }

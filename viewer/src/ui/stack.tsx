@@ -6,7 +6,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { listen } from '../events.ts';
 import { clock_text, reworded } from '../words/text.ts';
 import { jump, pan_by, show_cause, zoom_by, zoom_to } from './actions.ts';
-import { rem_size } from './canvas.ts';
+import { on_axis, rem_size } from './canvas.ts';
 import { clusters_of, kMarks, lanes_of, pick_cluster, type Mark } from './marks.ts';
 import { range_of, use_page, type Hover, type Page } from './page.ts';
 import { use_cell, use_range, use_size } from './use.ts';
@@ -21,7 +21,7 @@ function Overlay({ plot, brush }: { plot: RefObject<HTMLDivElement | null>; brus
   const [width] = use_size(plot);
   const hover = use_cell(page.hover);
   const [from, to] = use_range();
-  const x = (t: number): number => ((t - from) / (to - from)) * width;
+  const x = on_axis([from, to], width);
   useEffect(() => {
     const line = now.current!;
     const move = (): void => {
@@ -47,8 +47,8 @@ function Overlay({ plot, brush }: { plot: RefObject<HTMLDivElement | null>; brus
 /** The events whose glyph is at a place in their row. */
 function marks_at({ marks, store }: Page, { t, row, part }: Hover, width: number): Mark[] {
   if (row !== 'events') return [];
-  const [[from, to], rem] = [range_of(store.get()), rem_size()];
-  return pick_cluster(clusters_of(marks, [from, to], width, rem), lanes_of(marks).length, ((t - from) / (to - from)) * width, part, rem)?.marks ?? [];
+  const [range, rem] = [range_of(store.get()), rem_size()];
+  return pick_cluster(clusters_of(marks, range, width, rem), lanes_of(marks).length, on_axis(range, width)(t), part, rem)?.marks ?? [];
 }
 
 function tip_words(page: Page, hover: Hover, width: number): string {
@@ -85,7 +85,10 @@ export function Stack({ children }: { children: ComponentChildren }) {
   const now = useRef(page);  // while a mission goes on it is another one every second
   now.current = page;
   useEffect(() => watch_pointer(stack.current!, plot.current!, now, {
-    brushed: (range) => set_brush(range && clipped(range, range_of(now.current.store.get()))),
+    brushed: (range) => {
+      const [from, to] = range_of(now.current.store.get());
+      set_brush(range && [Math.max(range[0], from), Math.min(range[1], to)]);
+    },
     clicked: (where, width) => {
       const [mark] = marks_at(now.current, where, width);
       if (!mark) return false;
@@ -103,16 +106,12 @@ export function Stack({ children }: { children: ComponentChildren }) {
   );
 }
 
-function clipped([a, b]: [number, number], [from, to]: [number, number]): [number, number] {
-  return [Math.max(a, from), Math.min(b, to)];
-}
-
-/** A row of the stack: a label, then the axis of time. */
-export function Row({ row, label, class: name = '', scrub, children }: {
-  row: string; label: ComponentChildren; class?: string; scrub?: boolean; children: ComponentChildren;
+/** A row of the stack: a label, then the axis of time. Without a name of its own it is nothing to the pointer. */
+export function Row({ row, label = '', class: name = '', height, scrub, children }: {
+  row?: string; label?: ComponentChildren; class?: string; height?: string; scrub?: boolean; children: ComponentChildren;
 }) {
   return (
-    <div class={`row ${name}`} data-row={row} data-scrub={scrub ? '' : undefined}>
+    <div class={`row ${name}`} data-row={row} data-scrub={scrub ? '' : undefined} style={{ height }}>
       <div class="row-label">{label}</div>
       <div class="row-plot">{children}</div>
     </div>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Quantities over time, several players over each other, on the axis of the timeline. */
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 import uPlot from 'uplot';
 import type { Player, Run } from '../run/run.ts';
 import { count_text } from '../words/text.ts';
@@ -150,10 +150,9 @@ export function Strips() {
 export function StripMenu() {
   const page = use_page();
   const choice = use_cell(page.strips);
-  const [open, set_open] = useState(false);
   const flip = <T,>(list: T[], one: T): T[] => (list.includes(one) ? list.filter((x) => x !== one) : [...list, one]);
   return (
-    <details class="menu up" open={open} onToggle={(event) => set_open(event.currentTarget.open)}>
+    <details class="menu up">
       <summary aria-label="Which strips are shown">strips</summary>
       <div class="menu-body two">
         <fieldset>

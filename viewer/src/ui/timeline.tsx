@@ -2,7 +2,7 @@
 /** The events of the run on its axis of time, and the whole run in small with what the strips show of it. */
 import { useMemo, useRef } from 'preact/hooks';
 import { tick_text } from '../words/text.ts';
-import { pan_by, zoom_to } from './actions.ts';
+import { bring_in_sight, pan_by } from './actions.ts';
 import { color, on_axis, use_canvas, type Sheet } from './canvas.ts';
 import { clusters_of, kBeside, kHalfGlyph, kLanesFrom, kMarks, lanes_of, type Mark, type MarkKind } from './marks.ts';
 import { use_page, type Page } from './page.ts';
@@ -124,7 +124,6 @@ function go_there(page: Page, event: { clientX: number; currentTarget: HTMLEleme
   const { left, width } = event.currentTarget.getBoundingClientRect();
   const { zoom, end } = page.store.get();
   const t = Math.min(Math.max((event.clientX - left) / width, 0), 1) * end;
-  if (!zoom) return page.store.set({ time: t });
-  const half = (zoom[1] - zoom[0]) / 2;
-  if (t < zoom[0] || t > zoom[1]) zoom_to(page, t - half, t + half);
+  if (zoom) bring_in_sight(page, t);
+  else page.store.set({ time: t });
 }

@@ -4,6 +4,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { words_of } from '../engine/module.ts';
 import type { NodeType, NodeTypes, Outcome, WhatIf } from '../engine/questions.ts';
+import { made } from '../made.ts';
 import { decode } from '../run/decode.ts';
 import type { Player, Run } from '../run/run.ts';
 import { Cell } from '../store.ts';
@@ -124,8 +125,7 @@ export function use_node_types(kind: 'aircraft' | 'vehicle'): NodeType[] {
   const { run } = use_page();
   const types = use_asked(run.engine ? kind : null, async () => {
     const engine = run.engine!;
-    if (!kTypes.has(engine)) kTypes.set(engine, engine.node_types());
-    return (await kTypes.get(engine)!)[kind];
+    return (await made(kTypes, engine, () => engine.node_types()))[kind];
   });
   return types?.value ?? [];
 }

@@ -24,11 +24,9 @@ export interface Won {
   rivals: Rival[];  // By vote, the highest first, and those that came up before the others; what a blend is made of.
 }
 
-const kNobody = new Int16Array(0);
-
-/** By field who supplied what a node proposed; empty if it proposed nothing. */
-function suppliers(shape: Shape, node: number): Int16Array {
-  return shape.supplier[node] ?? kNobody;
+/** Whether a node, or somebody below it, proposes a field now. */
+function proposes(shape: Shape, node: number, field: number): boolean {
+  return (shape.supplier[node]?.[field] ?? -1) >= 0;
 }
 
 /** The branches in which two nodes are where their ways from the root part. Of two of which one is above
@@ -70,18 +68,17 @@ export function contest(run: Run, player: number, index: number): Won[] {
 
   const won = (winner: number, field: number): Won => {
     const rivals = tree.nodes.flatMap(({ children }, node): Rival[] => {
-      if (node === winner || children.length > 0 || !(suppliers(shape, node)[field]! >= 0)) return [];
+      if (node === winner || children.length > 0 || !proposes(shape, node, field)) return [];
       let [its, mine] = parting(tree, node, winner);
-      while (!(suppliers(shape, mine)[field]! >= 0)) mine = tree.nodes[mine]!.parent; // up to who holds it; the root has it
-      const came_up = suppliers(shape, its)[field]! >= 0;
-      return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]!, came_up }];
+      while (!proposes(shape, mine, field)) mine = tree.nodes[mine]!.parent; // up to who holds it; the root has it
+      return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]!, came_up: proposes(shape, its, field) }];
     });
     rivals.sort((a, b) => +b.came_up - +a.came_up || b.vote - a.vote || a.node - b.node);
-    const held = suppliers(shape, winner)[field] !== winner;
+    const held = shape.supplier[winner]?.[field] !== winner;
     const blended = !held && tree.nodes[winner]!.children.length > 0;
     return { field, value: value(held ? 0 : winner, field), winner, blended, held, reason: reason({ blended, held, rivals }), rivals };
   };
-  return Array.from(suppliers(shape, 0)).flatMap((winner, field) => (winner >= 0 ? won(winner, field) : []));
+  return Array.from(shape.supplier[0] ?? []).flatMap((winner, field) => (winner >= 0 ? won(winner, field) : []));
 }
 
 /** What a node has to say of itself: "failed: no target", "not asked", "running, votes 40". */
@@ -108,7 +105,7 @@ function transition(tree: Tree, shape: Shape, sequencer: number): string {
     if (shape.status[child] === null) continue;
     const { label } = tree.nodes[child]!;
     if (shape.vote[child]! > 0) to = ` for ${label}`;
-    else if (shape.status[child] === 'success' && !suppliers(shape, child).some((supplier) => supplier >= 0)) because += `${because ? ', ' : ': '}${label} holds`;
+    else if (shape.status[child] === 'success' && !shape.supplier[child]?.some((supplier) => supplier >= 0)) because += `${because ? ', ' : ': '}${label} holds`;
   }
   return to + because;
 }
@@ -128,11 +125,10 @@ export function why_not(tree: Tree, shape: Shape, before: number): string {
   }
   if (shape.status[before] === 'failure') return `${then.label} ${answer_words(shape, before)}`;
   if (shape.leader < 0) {
-    const proposes = (node: number) => suppliers(shape, node).some((supplier) => supplier >= 0);
     let last = before; // to which it came up
-    while (tree.nodes[last]!.parent >= 0 && proposes(tree.nodes[last]!.parent)) last = tree.nodes[last]!.parent;
+    while (shape.supplier[tree.nodes[last]!.parent]) last = tree.nodes[last]!.parent;
     const keeper = tree.nodes[tree.nodes[last]!.parent];
-    return keeper && proposes(last) ? `${then.label} was kept back by ${keeper.label}` : `${then.label} proposed nothing`;
+    return keeper && shape.supplier[last] ? `${then.label} was kept back by ${keeper.label}` : `${then.label} proposed nothing`;
   }
   const [mine, its] = parting(tree, shape.leader, before);
   const [voted, against] = [shape.counted[its]!, shape.counted[mine]!];

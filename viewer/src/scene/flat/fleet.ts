@@ -2,6 +2,7 @@
 /** Everybody's model on a flat canvas: faces from back to front, or of a crowd the outlines alone. Faces
  * have the colours that a renderer which knows of light in linear shares makes. */
 import { Color, Vector3, type Matrix4 } from 'three';
+import { made } from '../../made.ts';
 import type { Missile, Player } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import { kCrowd } from '../frame.ts';
@@ -33,14 +34,12 @@ const kEdge = 1;
 const models = new Map<ShapeName, Model>();
 
 function model_of(name: ShapeName): Model {
-  const known = models.get(name);
-  if (known) return known;
-  const { geometry, length, outline } = kShapes[name]();
-  const [corners, normals] = ['position', 'normal'].map((each) => geometry.getAttribute(each).array);
-  const left = outline.filter(([x]) => x > 0).reverse().map(([x, z]) => [-x, z] as const);
-  const model = { name, length: length / 1000, corners: corners!, normals: normals!, outline: [...outline, ...left] };
-  models.set(name, model);
-  return model;
+  return made(models, name, () => {
+    const { geometry, length, outline } = kShapes[name]();
+    const [corners, normals] = ['position', 'normal'].map((each) => geometry.getAttribute(each).array);
+    const left = outline.filter(([x]) => x > 0).reverse().map(([x, z]) => [-x, z] as const);
+    return { name, length: length / 1000, corners: corners!, normals: normals!, outline: [...outline, ...left] };
+  });
 }
 
 const point = new Vector3();
@@ -134,10 +133,6 @@ const shades = new Map<number, string[]>();
 
 /** Of a colour at each level. */
 export function shades_of(tint: number): string[] {
-  let all = shades.get(tint);
-  if (!all) {
-    all = Array.from({ length: kLevels + 1 }, (_, level) => css(new Color(tint).multiplyScalar((level * kBrightest) / kLevels).getHex()));
-    shades.set(tint, all);
-  }
-  return all;
+  return made(shades, tint, () =>
+    Array.from({ length: kLevels + 1 }, (_, level) => css(new Color(tint).multiplyScalar((level * kBrightest) / kLevels).getHex())));
 }

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 /** The map below on a flat canvas: sea, land, shores and graticule, far haze, and the grid. */
+import { MathUtils } from 'three';
 import { type Coast, coast_of, draw_shores, kReach } from '../coast.ts';
 import type { Eye } from '../eye.ts';
 import type { Origin } from '../geo.ts';
 import { draw_grid, grid_of, is_near, kClear, kHazy } from '../grid.ts';
-import { css, type Palette } from '../palette.ts';
+import { css, fill, type Palette } from '../palette.ts';
 import { FlatLines } from './lines.ts';
 import { circle_on_ground, trace_area } from './areas.ts';
 
 /** So many veils lie over each other until all is sky. */
 const kVeils = 10;
-
-function smooth(share: number): number {
-  const s = Math.min(1, Math.max(0, share));
-  return s * s * (3 - 2 * s);
-}
 
 export class FlatGround {
   private readonly coast: Coast;
@@ -39,8 +35,7 @@ export class FlatGround {
     if (!plain) {
       const sea = new Path2D();
       trace_area(sea, eye, this.disc);
-      context.fillStyle = css(palette.sea);
-      context.fill(sea);
+      fill(context, palette.sea, 1, sea);
     }
     if (coast) this.draw_land(context, eye, palette);
     if (!plain) this.draw_haze(context, eye, palette, x, z);
@@ -53,8 +48,7 @@ export class FlatGround {
     const land = new Path2D();
     const { land: corners } = this.coast;
     for (let i = 0; i < corners.length / 3; i += 3) trace_area(land, eye, corners, i, 3);
-    context.fillStyle = css(palette.land);
-    context.fill(land);
+    fill(context, palette.land, 1, land);
     this.shores.draw(context, eye);
   }
 
@@ -65,9 +59,8 @@ export class FlatGround {
       const veil = new Path2D();
       veil.rect(0, 0, eye.width, eye.height);
       trace_area(veil, eye, circle_on_ground(x, z, kReach * (kClear + ((kHazy - kClear) * (k + 0.5)) / kVeils)));
-      const left = 1 - smooth((k + 1) / kVeils);
-      context.fillStyle = css(palette.sky, 1 - left / clear);
-      context.fill(veil, 'evenodd');
+      const left = 1 - MathUtils.smoothstep(k + 1, 0, kVeils);
+      fill(context, palette.sky, 1 - left / clear, veil, 'evenodd');
       clear = left;
     }
   }

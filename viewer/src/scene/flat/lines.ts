@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Lines on a flat canvas: what looks the same is stroked in one go. */
+import { made } from '../../made.ts';
 import type { Eye } from '../eye.ts';
 import type { Pens } from '../painter.ts';
 import { css } from '../palette.ts';
@@ -41,9 +42,7 @@ export class FlatLines implements Pens {
   pen(tint: number, wanted: number, dash = 0): void {
     // smoke has a width of its own for each of its ages
     const width = Math.max(1, Math.round(wanted * kWidths)) / kWidths;
-    const key = `${tint} ${width} ${dash}`;
-    this.current = this.pens.get(key) ?? { tint, width, dash, segments: [] };
-    this.pens.set(key, this.current);
+    this.current = made(this.pens, `${tint} ${width} ${dash}`, () => ({ tint, width, dash, segments: [] }));
   }
 
   add(ax: number, ay: number, az: number, bx: number, by: number, bz: number, alpha: number, to_alpha = alpha): void {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** Fire and smoke on a flat canvas: a soft disc for each colour, scaled to what is needed. */
+import { made } from '../../made.ts';
 import type { Eye } from '../eye.ts';
 import type { Discs } from '../painter.ts';
 import { css } from '../palette.ts';
 
-const kNumbers = 7;
 const kMost = 1024;
 /** px of a disc that is scaled. */
 const kSize = 64;
@@ -26,28 +26,23 @@ function disc_of(tint: number): HTMLCanvasElement {
 
 /** As many as fit; what is beyond is left out. */
 export class FlatPuffs implements Discs {
-  private readonly numbers = new Float64Array(kMost * kNumbers);
+  private puffs: Parameters<Discs['add']>[] = [];
   private readonly discs = new Map<number, HTMLCanvasElement>();
-  private count = 0;
 
   begin(): void {
-    this.count = 0;
+    this.puffs = [];
   }
 
-  add(x: number, y: number, z: number, radius: number, least: number, tint: number, alpha: number): void {
-    if (this.count === kMost) return;
-    this.numbers.set([x, y, z, radius, least, tint, alpha], kNumbers * this.count++);
+  add(...puff: Parameters<Discs['add']>): void {
+    if (this.puffs.length < kMost) this.puffs.push(puff);
   }
 
   draw(context: CanvasRenderingContext2D, eye: Eye): void {
-    const n = this.numbers;
-    for (let k = 0, i = 0; k < this.count; ++k, i += kNumbers) {
-      if (!eye.project(n[i]!, n[i + 1]!, n[i + 2]!) || !eye.on_screen(kLargest)) continue;
-      const radius = Math.min(kLargest, Math.max(n[i + 4]! * eye.ui, n[i + 3]! / eye.km_per_px_at()));
-      const tint = n[i + 5]!;
-      let disc = this.discs.get(tint);
-      if (!disc) this.discs.set(tint, (disc = disc_of(tint)));
-      context.globalAlpha = Math.min(1, n[i + 6]!);
+    for (const [x, y, z, km, least, tint, alpha] of this.puffs) {
+      if (!eye.project(x, y, z) || !eye.on_screen(kLargest)) continue;
+      const radius = Math.min(kLargest, Math.max(least * eye.ui, km / eye.km_per_px_at()));
+      const disc = made(this.discs, tint, () => disc_of(tint));
+      context.globalAlpha = Math.min(1, alpha);
       context.drawImage(disc, eye.px - radius, eye.py - radius, 2 * radius, 2 * radius);
     }
     context.globalAlpha = 1;

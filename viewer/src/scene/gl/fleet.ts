@@ -27,7 +27,12 @@ export class Fleet {
   }
 
   private build(): void {
-    this.clear();
+    for (const { mesh } of this.squadrons) {
+      this.group.remove(mesh);
+      mesh.geometry.dispose();
+      mesh.dispose();
+    }
+    this.squadrons = [];
     const shapes = this.all.map(shape_of);
     this.built = shapes.length;
     for (const name of new Set(shapes)) {
@@ -67,19 +72,5 @@ export class Fleet {
       mesh.count = used;
       mesh.instanceMatrix.needsUpdate = true;
     }
-  }
-
-  private clear(): void {
-    for (const { mesh } of this.squadrons) {
-      this.group.remove(mesh);
-      mesh.geometry.dispose();
-      mesh.dispose();
-    }
-    this.squadrons = [];
-  }
-
-  dispose(): void {
-    this.clear();
-    this.material.dispose();
   }
 }

@@ -68,13 +68,4 @@ export class Ground {
     draw_grid(this.grid, grid_of(eye), palette);
     this.grid.end();
   }
-
-  dispose(): void {
-    for (const mesh of [this.sea, this.land]) {
-      mesh.geometry.dispose();
-      mesh.material.dispose();
-    }
-    this.shores.dispose();
-    this.grid.dispose();
-  }
 }

@@ -181,9 +181,4 @@ export class Lines implements Pens {
     this.mesh.geometry.setDrawRange(0, this.count * 6);
     this.mesh.visible = this.count > 0;
   }
-
-  dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
-  }
 }

@@ -75,8 +75,9 @@ export class GlPainter implements Painter {
     this.renderer.render(this.scene, eye.camera);
   }
 
+  /** With the context goes all that is kept in it. */
   dispose(): void {
-    for (const part of [this.players, this.missiles, this.ground, this.radar, this.lines, this.puffs, this.renderer]) part.dispose();
+    this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
 }

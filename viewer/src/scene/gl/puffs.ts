@@ -71,9 +71,4 @@ export class Puffs implements Discs {
     this.mesh.geometry.setDrawRange(0, this.count);
     this.mesh.visible = this.count > 0;
   }
-
-  dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
-  }
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /** The radar's volume as triangles. */
-import { BackSide, BufferAttribute, BufferGeometry, Color, LinearSRGBColorSpace, Mesh, ShaderMaterial, Vector4 } from 'three';
+import { BackSide, BufferAttribute, BufferGeometry, Mesh, MeshBasicMaterial } from 'three';
 import type { Palette } from '../palette.ts';
 import { corner_of as at, kColumns, kRows, kTrackVeil, type Volume } from '../radar.ts';
 
 export class RadarVolume {
-  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly mesh: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly corners: BufferAttribute;
 
   constructor(order: number) {
@@ -21,16 +21,10 @@ export class RadarVolume {
       for (let r = 0; r < kRows; ++r)
         index.push(at(c, r), at(c, r + 1), at(c + 1, r + 1), at(c, r), at(c + 1, r + 1), at(c + 1, r));
     geometry.setIndex(index);
-    const material = new ShaderMaterial({
-      vertexShader: `attribute float nearness; varying float shade; void main() { shade = nearness;
-        gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0); }`,
-      fragmentShader: `uniform vec4 tint; varying float shade;
-        void main() { gl_FragColor = vec4(tint.rgb, tint.a * (0.3 + 0.7 * shade)); }`,
-      uniforms: { tint: { value: new Vector4() } }, transparent: true, depthWrite: false, side: BackSide,
-    });
-    const nearness = new Float32Array(count);
-    nearness[0] = 1;
-    geometry.setAttribute('nearness', new BufferAttribute(nearness, 1));
+    // strongest at the antenna
+    const colors = new Float32Array(4 * count).map((_, i) => (i < 4 || i % 4 < 3 ? 1 : 0.3));
+    geometry.setAttribute('color', new BufferAttribute(colors, 4));
+    const material = new MeshBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false, side: BackSide });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = order;
@@ -41,12 +35,7 @@ export class RadarVolume {
     if (!volume) return;
     (this.corners.array as Float32Array).set(volume.corners);
     this.corners.needsUpdate = true;
-    const { r, g, b } = new Color().setHex(palette.radar, LinearSRGBColorSpace);
-    (this.mesh.material.uniforms.tint!.value as Vector4).set(r, g, b, palette.veil * (volume.track ? kTrackVeil : 1));
-  }
-
-  dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    this.mesh.material.color.setHex(palette.radar);
+    this.mesh.material.opacity = palette.veil * (volume.track ? kTrackVeil : 1);
   }
 }
