@@ -265,7 +265,7 @@ void add_export(CLI::App& app, Chosen& chosen) {
       ->check(one_of({kFormats.begin(), kFormats.end()}));
   exported->add_option("--player", o.player, "only this player's decisions");
   exported->add_option("--every", o.every,
-                       "at most one decision of a player in so much time: '1 s'");
+                       "at most one decision of a player in each so much time of the run: '1 s'");
   exported->add_flag("--changes-only", o.changes_only,
                      "only decisions with another leader, tree or order than the one before");
   exported->add_option("--out", o.out,

@@ -119,7 +119,7 @@ class Run:
 
         Args:
             player: whose; None: everybody's.
-            every: at most one decision of a player in so many s; 0: all.
+            every: at most one decision of a player in each so many s of the run; 0: all.
             changes: only those in which somebody else leads, another tree decides or an order is
                 another one than before.
         """

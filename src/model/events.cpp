@@ -12,7 +12,8 @@ constexpr EventValue kBelieved{"range", "m", "range_m", {}, "from who to where i
 constexpr EventValue kBearing{"bearing", "rad", "bearing_deg", {}, "true, from who"};
 constexpr EventValue kMiss{"miss", "m", "miss_m", {}, "nearest distance of the missile"};
 constexpr EventValue kStore{"store", {}, "weapon", EventCode::weapon, "type of missile"};
-constexpr EventValue kDecoys{"kind", {}, "decoys", EventCode::decoys, "`chaff`, `flares`, `both`"};
+constexpr EventValue kDecoys{
+    "kind", {}, "decoys", EventCode::decoys, "`chaff` (1), `flares` (2), `both` (3)"};
 
 constexpr std::array kInfos = [] {
   using enum EventKind;
@@ -26,7 +27,8 @@ constexpr std::array kInfos = [] {
           {},
           "sources",
           C::sources,
-          "`radar`, `eyes`, `datalink`, `truth`, `infrared`"}}}},
+          "`radar` (1), `eyes` (2), `datalink` (4), `truth` (8), `infrared` (16), or several "
+          "(their sum)"}}}},
       {track_lost,
        "track_lost",
        "who has lost its track of whom.",
@@ -34,12 +36,13 @@ constexpr std::array kInfos = [] {
       {identified,
        "identified",
        "who knows now, or believes to know, whose side whom is on.",
-       {{{"identity", {}, "identity", C::identity, "`unknown`, `friendly`, `hostile`"},
+       {{{"identity", {}, "identity", C::identity, "`unknown` (0), `friendly` (1), `hostile` (2)"},
          kBelieved}}},
       {rwr_warning,
        "rwr_warning",
        "The warning receiver of who hears the radar of whom.",
-       {{{"kind", {}, "radar", C::radar, "`search`, `track`, `missile_seeker`"}, kBearing}}},
+       {{{"kind", {}, "radar", C::radar, "`search` (1), `track` (2), `missile_seeker` (3)"},
+         kBearing}}},
       {missile_warning, "missile_warning", "who is warned of the missile whom.", {{kBearing}}},
       {release,
        "release",
@@ -71,8 +74,8 @@ constexpr std::array kInfos = [] {
           {},
           "ending",
           C::ending,
-          "`ground`, `speed` (too slow), `time` (battery empty), "
-          "`lost` (sees nothing), `decoy` (towed)"},
+          "`ground` (1), `speed` (2, too slow), `time` (3, battery empty), "
+          "`lost` (4, sees nothing), `decoy` (5, towed)"},
          {"flight_time", "s", "flight_time_s", C::number, "since its launch"}}}},
       {hit,
        "hit",
@@ -105,7 +108,8 @@ constexpr std::array kInfos = [] {
           {},
           "defense",
           C::defense,
-          "`turn_in`, `break`, `notch`, `drag`, `last_ditch`, `out` (from a fighter)"}}}},
+          "`turn_in` (1), `break` (2), `notch` (3), `drag` (4), `last_ditch` (5), `out` (6, from a "
+          "fighter)"}}}},
       {in_charge,
        "in_charge",
        "Another behavior of who leads its decisions.",

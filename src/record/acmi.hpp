@@ -71,8 +71,8 @@ class AcmiObject {
   AcmiObject(PlayerId id, std::string introduction)
       : id_(id), introduction_(std::move(introduction)) {}
 
-  /// Later than all before. The first one, a new lock, another behavior in charge and a vote that
-  /// has changed by more than a twentieth are wanted anyway.
+  /// Later than all before. The first one, a new lock, another behavior in charge, a vote that has
+  /// changed by more than a twentieth and instruments that have moved far are wanted anyway.
   void see(AcmiSample sample);
   /// Where it is after a step.
   void pass(const Pose& pose) { last_ = pose; }
@@ -104,6 +104,7 @@ class AcmiObject {
   Pose last_;
   bool begun_ = false, gone_ = false;
   float noted_vote_ = -1;
+  std::array<double, 4> noted_{};  ///< of its instruments, in the steps in which they are told
   Told told_;
 };
 

@@ -39,6 +39,8 @@ std::string escaped(std::string_view text, std::string_view line_end, std::strin
 constexpr double kSpeedStep = 0.5, kMachStep = 0.005, kLoadStep = 0.05,
                  kFuelStep = 5;  // m/s, -, g, kg
 constexpr float kVoteStep = 0.05F;
+/// What an instrument may be away from what it is, between two samples.
+constexpr double kLargeSteps = 10;
 
 std::string rounded(double value, int decimals) {
   return without_minus_zero(fmt::format("{:.{}f}", value, decimals));
@@ -106,6 +108,13 @@ void AcmiObject::see(AcmiSample sample) {
     sample.wanted = true;
     noted_vote_ = sample.vote;
   }
+  const std::array now{sample.speed / kSpeedStep, sample.mach / kMachStep,
+                       sample.load_factor / kLoadStep, sample.fuel / kFuelStep};
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (std::fabs(now[i] - noted_[i]) > kLargeSteps) {
+      sample.wanted = true;
+      noted_[i] = now[i];
+    }
   samples_.push_back(std::move(sample));
 }
 

@@ -78,6 +78,27 @@ std::vector<bool> kept_of(const std::vector<Pose>& poses, std::vector<std::size_
   return kept;
 }
 
+/// Straight on, with a pull that is over before the path shows it.
+TEST(AcmiObject, WritesASampleWhereAnInstrumentHasMovedFar) {
+  AcmiObject object(PlayerId{1}, "");
+  for (int i = 0; i < 20; ++i)
+    object.see({.step = static_cast<std::uint64_t>(10 * i),
+                .pose = {.time = 0.2 * i, .position = {50.0 * i, 0, 0}},
+                .speed = 250,
+                .mach = 0.8,
+                .load_factor = i == 7   ? 4
+                               : i > 10 ? 1.3
+                                        : 1,
+                .fuel = 4000});
+  std::vector<AcmiLine> lines;
+  object.write(Reference(Geodetic{}), lines);
+  std::vector<std::uint64_t> steps;
+  for (const AcmiLine& line : lines)
+    steps.push_back(line.step);
+  EXPECT_EQ(steps, (std::vector<std::uint64_t>{0, 70, 80, 190}));
+  EXPECT_NE(lines[1].text.find("VerticalGForce=4.0"), std::string::npos) << lines[1].text;
+}
+
 TEST(Thin, LeavesOutWhatLiesOnALine) {
   std::vector<Pose> poses;
   for (int i = 0; i < 20; ++i)

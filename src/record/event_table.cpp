@@ -177,7 +177,8 @@ std::string events_markdown() {
   text +=
       "| the others | the values of the kinds below |\n\n"
       "Units stand at the end of a name: m, s, kg, deg. A campaign's measures call a value by the "
-      "name in brackets,\nin SI and, where the table has a word, as a number.\n\n"
+      "name in brackets,\nin SI and, where the table has a word, by the number in brackets behind "
+      "it, if it has one.\n\n"
       "| event | what happened | values |\n| --- | --- | --- |\n";
   for (const model::EventInfo& info : model::event_infos()) {
     std::string values;

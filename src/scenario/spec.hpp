@@ -223,7 +223,7 @@ struct OrderSpec {
   static constexpr auto params() {
     return std::tuple{
         param("at", &OrderSpec::at, "s", range(0, kLongestFlight),
-              "simulated time, not after the scenario's end")
+              "simulated time, before the scenario's end")
             .required(),
         param("player", &OrderSpec::player, "who").required(),
         param("swap_tree", &OrderSpec::swap_tree, "the tree to fly or drive by from then on"),

@@ -90,7 +90,7 @@ struct SuppressMemory {
 };
 
 /// Two layers: what the higher one (`by`) proposes replaces what the lower one (`child`) proposes,
-/// and its last proposal stands in for it for `hold` after it has fallen silent, with the status
+/// and its last proposal stands in for it for `hold` after it spoke last, with the status
 /// running. Both layers are asked in every tick. A layer that fails or abstains is silent; if both
 /// are and nothing is held, it fails. The suppression node of Brooks, "A Robust Layered Control
 /// System for a Mobile Robot" (IEEE Journal of Robotics and Automation, 1986).
