@@ -2,6 +2,7 @@
 #include "home.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -45,11 +46,26 @@ Object about(const std::string& name) {
   return one;
 }
 
-/// A name that stands for itself in an address.
-bool is_plain(const std::string& name) {
-  return !name.empty() && !name.starts_with('.') && std::ranges::all_of(name, [](char c) {
-    return is_letter(c) || is_digit(c) || c == '-' || c == '_' || c == '.';
-  });
+/// A folder of runs/ that a page can name: text, nothing hidden and nothing outside.
+bool is_nameable(const std::string& name) {
+  return !name.empty() && !name.starts_with('.') && name.find('/') == name.npos &&
+         printable(name) == name;
+}
+
+/// "a%20b" is "a b".
+std::string unescaped(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned value = 0;
+    const char* digits = text.data() + i + 1;
+    if (text[i] == '%' && i + 2 < text.size() &&
+        std::from_chars(digits, digits + 2, value, 16).ptr == digits + 2)
+      i += 2;
+    else
+      value = static_cast<unsigned char>(text[i]);
+    out += static_cast<char>(value);
+  }
+  return out;
 }
 
 /// Those in runs/, the last ones first.
@@ -59,7 +75,7 @@ std::vector<std::string> run_names() {
   for (fs::directory_iterator at("runs", failed); at != end(at); at.increment(failed)) {
     const std::string name = at->path().filename().string();
     const auto written = fs::last_write_time(at->path() / record::kRunFileName, failed);
-    if (!failed && is_plain(name) && !at->is_symlink(failed))
+    if (!failed && is_nameable(name) && !at->is_symlink(failed))
       found.emplace_back(written, name);
   }
   std::sort(found.rbegin(), found.rend());
@@ -100,9 +116,10 @@ std::optional<net::WebPage> debrief_at(std::string_view target) {
   for (std::string_view rest = target.substr(kBegin.size()); !rest.empty();) {
     const std::string word(rest.substr(0, rest.find('&')));
     rest.remove_prefix(std::min(rest.size(), word.size() + 1));
-    if (!word.starts_with("run=") || !is_plain(word.substr(4)) || asked.size() == 2)
+    const std::string name = unescaped(word.substr(std::min<std::size_t>(word.size(), 4)));
+    if (!word.starts_with("run=") || !is_nameable(name) || asked.size() == 2)
       return {};
-    asked.push_back("runs/" + word.substr(4));
+    asked.push_back("runs/" + name);
   }
   if (asked.empty())
     return {};
@@ -146,16 +163,11 @@ std::string Home::hear(net::ViewerId who, std::string_view text) {
                sets = json.value("sets", Object::array());
   if (!scenario.is_string() || !seed.is_string() || !sets.is_array())
     return kWrong;
-  Wish wish{.who = who, .scenario = scenario};
+  Wish wish{.who = who, .scenario = scenario, .seed = seed, .sets = {}};
   for (const Object& set : sets) {
     if (!set.is_string())
       return kWrong;
     wish.sets.push_back(set);
-  }
-  if (const std::string number = seed; !number.empty()) {
-    wish.seed = number_from<std::uint64_t>(number);
-    if (!wish.seed)
-      return kWrong;
   }
   return wishes_.put(std::move(wish)) ? "" : "too many wishes";
 }
@@ -163,10 +175,13 @@ std::string Home::hear(net::ViewerId who, std::string_view text) {
 std::string Home::problem(const Wish& wish, Choice& chosen) const {
   if (std::ranges::find(names_, wish.scenario) == names_.end())
     return "there is no scenario " + quote(wish.scenario);
+  const auto seed = number_from<std::uint64_t>(wish.seed);
+  if (!seed && !wish.seed.empty())
+    return "seed: expected digits of a number below 2^64, got " + quote(wish.seed);
   try {
     std::vector<std::string> sets = wish.sets;
     sets.insert(sets.end(), ours_.begin(), ours_.end());
-    chosen = {load_scenario(wish.scenario, sets, {}, {}), wish.seed};
+    chosen = {load_scenario(wish.scenario, sets, {}, {}), seed};
   } catch (const std::exception& error) {
     return words_for(error);
   }

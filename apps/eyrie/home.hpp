@@ -33,8 +33,7 @@ class Home {
  private:
   struct Wish {
     net::ViewerId who = 0;
-    std::string scenario;
-    std::optional<std::uint64_t> seed;
+    std::string scenario, seed;
     std::vector<std::string> sets;
   };
   std::string hear(net::ViewerId who, std::string_view text);

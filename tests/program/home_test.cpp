@@ -40,6 +40,8 @@ TEST(Home, ListsScenariosFliesOneAndThenItsRun) {
   EXPECT_EQ(said({{"scenario", "/etc/passwd"}})["refused"], "there is no scenario '/etc/passwd'");
   const std::string wrong = said({{"scenario", "merge"}, {"sets", {"untill=1 min"}}})["refused"];
   EXPECT_NE(wrong.find("did you mean 'until'?"), wrong.npos) << wrong;
+  EXPECT_EQ(said({{"scenario", "merge"}, {"seed", "-1"}})["refused"],
+            "seed: expected digits of a number below 2^64, got '-1'");
   EXPECT_EQ(said({{"scenario", "merge"}, {"seed", "8"}, {"sets", {"until=20 s"}}})["flies"],
             "merge");
 
@@ -62,15 +64,21 @@ TEST(Home, ListsScenariosFliesOneAndThenItsRun) {
   EXPECT_NE(home.ask("/debrief?run=merge-8").find("application/x-eyrie-run"), std::string::npos);
   EXPECT_NE(home.ask("/debrief?run=merge-8&run=merge-8").find("application/x-eyrie-run"),
             std::string::npos);
-  for (const char* bad : {"/debrief", "/debrief?run=", "/debrief?run=../runs/merge-8",
-                          "/debrief?run=merge-8&run=merge-8&run=merge-8", "/api/else"})
+  std::filesystem::rename(home.folder / "runs/merge-8", home.folder / "runs/\u00fc & b");
+  EXPECT_EQ(Json::parse(body(home.ask("/api/runs")))[0]["name"], "\u00fc & b");
+  EXPECT_NE(home.ask("/debrief?run=%C3%BC%20%26%20b").find("application/x-eyrie-run"),
+            std::string::npos);
+  for (const char* bad :
+       {"/debrief", "/debrief?run=", "/debrief?run=../runs/merge-8", "/debrief?r",
+        "/debrief?run=%2e%2e%2fruns%2fmerge-8", "/debrief?run=%00", "/debrief?run=%",
+        "/debrief?run=merge-8&run=merge-8&run=merge-8", "/api/else"})
     EXPECT_TRUE(home.ask(bad).starts_with("HTTP/1.1 404 ")) << bad;
 }
 
 TEST(Home, ThrowsOutWhoWantsSomethingElse) {
   Served home({});
   for (const char* bad : {"rubbish", "{}", R"({"do":"play"})", R"({"do":"fly","scenario":1})",
-                          R"({"do":"fly","scenario":"merge","seed":"-1"})",
+                          R"({"do":"fly","scenario":"merge","seed":1})",
                           R"({"do":"fly","scenario":"merge","sets":[1]})"}) {
     TcpClient client = join_live(home.port);
     static_cast<void>(client.read_to("\r\n\r\n"));
