@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
+import { Address } from '../src/play/address.ts';
 import { edited, help_of, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
 import { link_of, read_link } from '../src/play/share.ts';
 
@@ -70,4 +71,21 @@ test('a link that is not ours is refused in words', async () => {
     [packed({ ...good, edits: { 'scenarios/sweep.yaml': 'eyrie: 1 # \ud800' } }), /damaged or cut/],
   ];
   for (const [link, why] of refused) await assert.rejects(read_link(link, kShipped), why, link.slice(0, 60));
+});
+
+test('the address holds what it can, and stays as it is until something is changed', async () => {
+  const location = { hash: '#s=damaged', pathname: '/', search: '' };
+  const history = { replaceState: (_: unknown, __: string, to: string) => (location.hash = to.startsWith('#') ? to : '') };
+  Object.assign(globalThis, { location, history });
+  const address = new Address(kProject);
+  assert.ok(address.holds(kProject));
+  const small = edited(kProject, kProject.scenario, 'eyrie: 1\n'), large = edited(kProject, kProject.scenario, 'x'.repeat(2_000_000));
+  assert.ok(!address.holds(small));
+  assert.deepEqual(await Promise.all([address.write(kProject), address.write(small)]), [true, true]);
+  assert.ok(address.holds(small) && !address.holds(kProject), 'the last one stands there');
+  assert.equal(location.hash, await link_of(small));
+  assert.equal(await address.write(large), false);
+  assert.ok(address.holds(small) && !address.holds(large));
+  assert.ok(await address.write(kProject));
+  assert.equal(location.hash, '');
 });

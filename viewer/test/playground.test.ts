@@ -169,6 +169,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
         [link({ v: 1, scenario: kSweep, edits: { [kSweep]: 'eyrie: 1 # \ud800' } }), 'damaged']] as const) {
         const { page: other, complaints } = await open(browser, fragment);
         assert.match(await other.$eval('.top [role=status]', (one) => one.textContent!), new RegExp(why));
+        assert.equal(await other.evaluate(() => location.hash), fragment, 'whoever has it may mend it');
         assert.deepEqual(complaints, []);
         await other.close();
       }

@@ -11,10 +11,11 @@ import type { View } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
 import { mind_manners } from '../ui/keys.tsx';
-import { remember_theme, said_in } from '../ui/link.ts';
+import { remember_theme } from '../ui/link.ts';
 import { Splitter } from '../ui/splitter.tsx';
 import { copy_text } from '../ui/what_if.tsx';
 import { use_asked } from '../ui/what_if_answer.ts';
+import { Address } from './address.ts';
 import { make_editor, type Editor } from './editor.ts';
 import { Flier, type Flight } from './flights.ts';
 import {
@@ -28,6 +29,7 @@ import { link_of, read_link } from './share.ts';
 /** ms that the keyboard rests before the loader is asked. */
 const kRest = 150;
 const kMostFlights = 20;
+const kTooLarge = 'The changes are too large for a link';
 
 /** What the loader said last, and whether that was of what the text is now. */
 interface Said {
@@ -43,16 +45,6 @@ function use_loader(module: WebAssembly.Module, project: Project): Said {
   const asked = use_asked(texts, async () => (await (engine.current ??= started(module))).validate(texts), kRest);
   const failed = asked?.problem !== undefined && [{ file: scenario, line: 0, column: 0, message: asked.problem }];
   return { problems: failed || (asked?.value?.problems ?? []), is_now: asked?.key === texts };
-}
-
-/** The address holds what is edited: reloading, or sending it to somebody, brings it back. A moment that it names stays until something
- * else is edited. False: it cannot hold that much. */
-async function write_link(project: Project): Promise<boolean> {
-  const is_first = project.scenario === kFirst && !project.seed && !Object.keys(project.edits).length;
-  const link = is_first ? '' : await link_of(project);
-  if (!link && !is_first) return false;
-  if (said_in(link).get('s') !== said_in(location.hash).get('s')) history.replaceState(history.state, '', link || location.pathname + location.search);
-  return true;
 }
 
 /** The names that a key takes from the texts. */
@@ -122,6 +114,9 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   const editor = useRef<Editor | null>(null);
   const place = useRef<HTMLDivElement>(null);
   const flier = useMemo(() => new Flier(module), [module]);
+  const address = useMemo(() => new Address(first), []);
+  // whether a link can hold what is edited
+  const [fits, put_fits] = useState(true);
   const said = use_loader(module, project);
   const wrong = said.problems.length > 0;
   const [restored, is_restored] = useState(false);
@@ -149,20 +144,22 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
       }
       put_note('');
     } catch (error) {
+      // whoever has it may mend it
+      address.keep(now.current.project);
       put_note(`The link cannot be used: ${words_of(error)}.`);
     }
     is_restored(true);
   };
   const share = async (): Promise<void> => {
-    if (!(await write_link(project))) return put_note('The changes are too large for a link.');
+    if (!(await address.write(project))) return put_note(`${kTooLarge}.`);
     put_note((await copy_text(location.href, null)) ? 'The link is copied: it holds your changes.' : 'The address bar has the link: it holds your changes.');
   };
   const debrief = async (runs: Flight[], first: Partial<View>): Promise<void> => {
     try {
-      await write_link(project);
+      if (!address.holds(project)) await address.write(project);
       history.replaceState('editor', '');
       history.pushState('debrief', '');
-      await write_link(runs.at(-1)!.project);
+      await address.write(runs.at(-1)!.project);
       const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
       const engines = new Set<RunningEngine | undefined>();
       let is_open = true;
@@ -173,7 +170,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         for (const engine of engines) engine?.end();
         box.remove();
         host.hidden = false;
-        void write_link(now.current.project);  // it is of the editor again
+        void address.write(now.current.project);  // it is of the editor again
         document.title = 'Eyrie playground';
       };
       const close = (): void => {
@@ -235,6 +232,9 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     void restore();
     listen(window, {
       hashchange: () => host.hidden || void restore(),
+      beforeunload: (event) => {
+        if (!address.holds(now.current.project)) event.preventDefault();
+      },
       keydown: (event) => {
         if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey) || event.defaultPrevented || host.hidden) return;
         event.preventDefault();
@@ -247,8 +247,9 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   useEffect(() => editor.current!.mark(said.problems.filter((one) => one.file === file)), [said.problems, file]);
   useEffect(() => put_theme(theme), [theme]);
   useEffect(() => {
-    if (!restored) return;
-    const timer = setTimeout(() => void write_link(project), kRest);
+    if (!restored || address.holds(project)) return;
+    // at once if it may be: somebody may leave at once
+    const timer = setTimeout(async () => put_fits(await address.write(project)), address.pause);
     return () => clearTimeout(timer);
   }, [project, restored]);
 
@@ -285,7 +286,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
               onClick={() => void fly(false)}>Fly</button>}
         <button type="button" disabled={wrong || flying !== null || busy !== ''} title="Fly it and watch it from the start" onClick={() => void fly(true)}>Watch</button>
         <span class="spring" />
-        <span class="dim small" role="status">{busy || note}</span>
+        <span class="dim small" role="status">{busy || note || (fits ? '' : `${kTooLarge}: they are lost when the page is left.`)}</span>
         {is_edited
           ? <button type="button" onClick={() => put_edits({}, project.edits)}>as shipped</button>
           : dropped && <button type="button" onClick={() => put_edits(dropped, null)}>my changes again</button>}
