@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 /** The playground: the text of a scenario at the left, what became of it at the right. */
 import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
-import type { RunningEngine } from '../engine/engine.ts';
 import { EngineError, words_of } from '../engine/module.ts';
 import type { Problem } from '../engine/questions.ts';
 import { listen } from '../events.ts';
 import { started } from '../parts.ts';
-import { flown_again, put_theme, show_as_flown, type Opening } from '../show.tsx';
+import { flown_again, put_theme, show_as_flown, type Opening, type Shown } from '../show.tsx';
 import type { View } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
@@ -155,45 +154,45 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     put_note((await copy_text(location.href, null)) ? 'The link is copied: it holds your changes.' : 'The address bar has the link: it holds your changes.');
   };
   const debrief = async (runs: Flight[], first: Partial<View>): Promise<void> => {
+    if (busy) return;
+    put_busy('Making the debrief');
+    const focused = document.activeElement as HTMLElement | null;
+    const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
+    const left = new AbortController();
+    const leave = (): void => {
+      left.abort();
+      unlisten();
+      set_theme(window.eyrie?.store.get().theme ?? theme);
+      box.remove();
+      host.hidden = false;
+      setTimeout(() => focused?.focus());  // once its button works again
+      void address.write(now.current.project);  // it is of the editor again
+      document.title = 'Eyrie playground';
+    };
+    let closing: Promise<Shown> | null = null;
+    const close = (): void => {
+      leave();
+      closing?.then((shown) => shown.close(), () => {});
+    };
+    // the browser's own way back is to the editor, too
+    const unlisten = listen(window, { popstate: ({ state }) => state === 'editor' && close() });
+    const back = { label: 'editor', go: () => (history.state === 'debrief' ? history.back() : close()) };
+    const flights = runs.map(({ file }): Opening => (told, begun) => flown_again(module, file!, told, (part) => {
+      document.body.append(box);
+      host.hidden = true;
+      begun(part);
+    }, left.signal));
     try {
       if (!address.holds(project)) await address.write(project);
       history.replaceState('editor', '');
       history.pushState('debrief', '');
       await address.write(runs.at(-1)!.project);
-      const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
-      const engines = new Set<RunningEngine | undefined>();
-      let is_open = true;
-      const leave = (): void => {
-        is_open = false;
-        unlisten();
-        set_theme(window.eyrie?.store.get().theme ?? theme);
-        for (const engine of engines) engine?.end();
-        box.remove();
-        host.hidden = false;
-        void address.write(now.current.project);  // it is of the editor again
-        document.title = 'Eyrie playground';
-      };
-      const close = (): void => {
-        leave();
-        closing.then((shown) => shown.close(), () => {});
-      };
-      // the browser's own way back is to the editor, too
-      const unlisten = listen(window, { popstate: ({ state }) => state === 'editor' && close() });
-      const back = { label: 'editor', go: () => (history.state === 'debrief' ? history.back() : close()) };
-      const flights = runs.map((run): Opening => (told, begun) => flown_again(module, run.file!, told, (part) => {
-        engines.add(part.engine);
-        document.body.append(box);
-        host.hidden = true;
-        begun(part);
-      }));
       const told = (percent: number): void => put_busy(`Making the debrief: ${percent} %`);
-      const closing = show_as_flown(flights, box, told, { theme, ...first }, back);
-      await closing.catch((error: unknown) => {
-        if (!is_open) return;
-        leave();
-        throw error;
-      });
+      closing = show_as_flown(flights, box, told, { theme, ...first }, back);
+      await closing;
     } catch (error) {
+      if (left.signal.aborted) return;  // by who went back
+      leave();
       put_note(words_of(error));
     } finally {
       put_busy('');
@@ -209,6 +208,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         put_flying(one);
       });
       put_flights((all) => [flight, ...all].slice(0, kMostFlights));
+      put_flying(null);
       if (watch) await debrief([flight], { playing: true, time: 0 });
     } catch (error) {
       put_note(error instanceof EngineError && error.problems.length ? 'Mend the mistakes first.' : words_of(error));
@@ -280,8 +280,9 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         </label>
         <button type="button" class="quiet" title="Another seed" aria-label="Another seed"
           onClick={() => put({ ...project, seed: String(1 + Math.floor(Math.random() * 999)) })}>⚄</button>
+        {/* who clicks twice on Fly does not mean Stop, which is there by then */}
         {flying || busy === 'Loading'
-          ? <button type="button" class="fly" onClick={() => void flier.stop()}>Stop</button>
+          ? <button type="button" class="fly" onClick={({ detail }) => detail > 1 || void flier.stop()}>Stop</button>
           : <button type="button" class="fly" disabled={wrong || busy !== ''} title={wrong ? 'Mend the mistakes first' : 'Fly it to its end (Ctrl Enter)'}
               onClick={() => void fly(false)}>Fly</button>}
         <button type="button" disabled={wrong || flying !== null || busy !== ''} title="Fly it and watch it from the start" onClick={() => void fly(true)}>Watch</button>
