@@ -35,8 +35,10 @@ test('trees are known by their names, of included files too', () => {
 
 test('help and seed are what the scenario says', () => {
   assert.equal(help_of(kShipped['scenarios/sweep.yaml']), 'a sweep');
-  assert.equal(seed_of(kShipped['scenarios/sweep.yaml']), '13');
-  assert.equal(seed_of('eyrie: 1\n'), '1');
+  assert.equal(seed_of(kProject), '13');
+  assert.equal(seed_of(edited(kProject, kProject.scenario, 'eyrie: 1\n')), '1');
+  const heir = edited(kProject, 'scenarios/heir.yaml', 'extends: sweep\n');
+  assert.equal(seed_of({ ...heir, scenario: 'scenarios/heir.yaml' }), '13', 'what it extends has it');
 });
 
 test('a text that is as it was shipped is no edit', () => {

@@ -275,7 +275,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
           {scenarios(files).map((one) => <option key={one} value={one}>{name_of(one)}</option>)}
         </select>
         <label class="seed">seed{' '}
-          <input type="text" inputMode="numeric" pattern="\d{1,20}" aria-label="Seed" size={6} placeholder={seed_of(text)} value={project.seed}
+          <input type="text" inputMode="numeric" pattern="\d{1,20}" aria-label="Seed" size={6} placeholder={seed_of(project)} value={project.seed}
             onInput={(event) => put({ ...project, seed: event.currentTarget.value.replace(/\D/g, '').slice(0, 20) })} />
         </label>
         <button type="button" class="quiet" title="Another seed" aria-label="Another seed"

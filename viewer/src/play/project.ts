@@ -39,11 +39,6 @@ export function help_of(text: string): string {
   return /^help:\s*(.*?)\s*$/m.exec(text)?.[1]?.replace(/^(["'])(.*)\1$/, '$2') ?? '';
 }
 
-/** The seed that a scenario has of its own. */
-export function seed_of(text: string): string {
-  return /^seed:\s*(\d+)/m.exec(text)?.[1] ?? '1';
-}
-
 /** A file with all that it extends and includes, itself first. */
 export function with_includes(project: Project, file: string, known: string[] = []): string[] {
   known.push(file);
@@ -55,6 +50,12 @@ export function with_includes(project: Project, file: string, known: string[] = 
   if (base) names.unshift(/[./]/.test(base) ? folder + base : `scenarios/${base}.yaml`);
   for (const name of names) if (name in project.shipped && !known.includes(name)) with_includes(project, name, known);
   return known;
+}
+
+/** The seed that a scenario has of its own, or of what it extends. */
+export function seed_of(project: Project): string {
+  const seeds = with_includes(project, project.scenario).map((file) => /^seed:\s*(\d+)/m.exec(text_of(project, file))?.[1]);
+  return seeds.find((seed) => seed !== undefined) ?? '1';
 }
 
 /** The names of trees in the scenario and what it includes. */
