@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { Address } from '../src/play/address.ts';
-import { edited, help_of, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
+import { edited, help_of, is_seed, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
 import { link_of, read_link } from '../src/play/share.ts';
 
 const kShipped = {
@@ -39,6 +39,11 @@ test('help and seed are what the scenario says', () => {
   assert.equal(seed_of(edited(kProject, kProject.scenario, 'eyrie: 1\n')), '1');
   const heir = edited(kProject, 'scenarios/heir.yaml', 'extends: sweep\n');
   assert.equal(seed_of({ ...heir, scenario: 'scenarios/heir.yaml' }), '13', 'what it extends has it');
+});
+
+test('a seed is a whole number that the engine takes, and nothing is made of another text', () => {
+  for (const seed of ['0', '007', '18446744073709551615']) assert.ok(is_seed(seed), seed);
+  for (const none of ['', '1.5', '-5', '1e3', '٣', '18446744073709551616', '100000000000000000000']) assert.ok(!is_seed(none), none);
 });
 
 test('a text that is as it was shipped is no edit', () => {

@@ -18,7 +18,7 @@ import { Address } from './address.ts';
 import { make_editor, type Editor } from './editor.ts';
 import { Flier, type Flight } from './flights.ts';
 import {
-  edited, help_of, kFirst, name_of, scenarios, seed_of, texts_of, text_of, tree_names, with_includes, type Files,
+  edited, help_of, is_seed, kFirst, name_of, scenarios, seed_of, texts_of, text_of, tree_names, with_includes, type Files,
   type Project,
 } from './project.ts';
 import { Results } from './results.tsx';
@@ -117,7 +117,12 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   // whether a link can hold what is edited
   const [fits, put_fits] = useState(true);
   const said = use_loader(module, project);
-  const wrong = said.problems.length > 0;
+  const has_mistakes = said.problems.length > 0;
+  // what stands in the field and is no seed
+  const [no_seed, put_no_seed] = useState('');
+  const wrong = has_mistakes || no_seed !== '';
+  const why_no_seed = no_seed && `'${no_seed}' is no seed: a seed is a whole number from 0 to 18446744073709551615`;
+  const why_wrong = has_mistakes ? 'Mend the mistakes first' : why_no_seed;
   const [restored, is_restored] = useState(false);
   // what the editor calls is what is now
   const now = useRef({ project, fly: () => {} });
@@ -131,6 +136,11 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     put({ ...project, edits });
     drop(instead_of);
     count(undefined);
+  };
+  const put_seed = (text: string): void => {
+    const is_right = text === '' || is_seed(text);
+    put_no_seed(is_right ? '' : text);
+    if (is_right) put({ ...project, seed: text });
   };
   const restore = async (): Promise<void> => {
     try {
@@ -246,6 +256,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   useEffect(() => editor.current!.show(file, text_of(project, file)), [file, version]);
   useEffect(() => editor.current!.mark(said.problems.filter((one) => one.file === file)), [said.problems, file]);
   useEffect(() => put_theme(theme), [theme]);
+  useEffect(() => put_no_seed(''), [project.scenario, project.seed]);
   useEffect(() => {
     if (!restored || address.holds(project)) return;
     // at once if it may be: somebody may leave at once
@@ -275,19 +286,19 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
           {scenarios(files).map((one) => <option key={one} value={one}>{name_of(one)}</option>)}
         </select>
         <label class="seed">seed{' '}
-          <input type="text" inputMode="numeric" pattern="\d{1,20}" aria-label="Seed" size={6} placeholder={seed_of(project)} value={project.seed}
-            onInput={(event) => put({ ...project, seed: event.currentTarget.value.replace(/\D/g, '').slice(0, 20) })} />
+          <input type="text" inputMode="numeric" aria-label="Seed" aria-invalid={no_seed !== ''} size={6} placeholder={seed_of(project)}
+            value={no_seed || project.seed} onInput={(event) => put_seed(event.currentTarget.value.trim())} />
         </label>
         <button type="button" class="quiet" title="Another seed" aria-label="Another seed"
-          onClick={() => put({ ...project, seed: String(1 + Math.floor(Math.random() * 999)) })}>⚄</button>
+          onClick={() => put_seed(String(1 + Math.floor(Math.random() * 999)))}>⚄</button>
         {/* who clicks twice on Fly does not mean Stop, which is there by then */}
         {flying || busy === 'Loading'
           ? <button type="button" class="fly" onClick={({ detail }) => detail > 1 || void flier.stop()}>Stop</button>
-          : <button type="button" class="fly" disabled={wrong || busy !== ''} title={wrong ? 'Mend the mistakes first' : 'Fly it to its end (Ctrl Enter)'}
+          : <button type="button" class="fly" disabled={wrong || busy !== ''} title={why_wrong || 'Fly it to its end (Ctrl Enter)'}
               onClick={() => void fly(false)}>Fly</button>}
         <button type="button" disabled={wrong || flying !== null || busy !== ''} title="Fly it and watch it from the start" onClick={() => void fly(true)}>Watch</button>
         <span class="spring" />
-        <span class="dim small" role="status">{busy || note || (fits ? '' : `${kTooLarge}: they are lost when the page is left.`)}</span>
+        <span class="dim small" role="status">{busy || why_no_seed || note || (fits ? '' : `${kTooLarge}: they are lost when the page is left.`)}</span>
         {is_edited
           ? <button type="button" onClick={() => put_edits({}, project.edits)}>as shipped</button>
           : dropped && <button type="button" onClick={() => put_edits(dropped, null)}>my changes again</button>}

@@ -25,6 +25,11 @@ export function edited(project: Project, file: string, text: string): Project {
   return { ...project, edits: text === project.shipped[file] ? others : { ...others, [file]: text } };
 }
 
+/** Whether the engine takes it: a whole number below 2^64. */
+export function is_seed(text: string): boolean {
+  return /^\d{1,20}$/.test(text) && BigInt(text) < 2n ** 64n;
+}
+
 /** "scenarios/sweep.yaml" -> "sweep" */
 export function name_of(file: string): string {
   return file.replace(/^.*\//, '').replace(/\.yaml$/, '');
