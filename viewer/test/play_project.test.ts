@@ -3,7 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
+import { Text } from '@codemirror/state';
 import { Address } from '../src/play/address.ts';
+import { offset } from '../src/play/editor.ts';
 import { edited, help_of, is_seed, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
 import { link_of, read_link } from '../src/play/share.ts';
 
@@ -95,4 +97,12 @@ test('the address holds what it can, and stays as it is until something is chang
   assert.ok(address.holds(small) && !address.holds(large));
   assert.ok(await address.write(kProject));
   assert.equal(location.hash, '');
+});
+
+test('a mistake is marked where it is, behind characters of two units too', () => {
+  const doc = Text.of(['a: 1', "name: '✈😀😀', a: x"]);
+  const column = [..."name: '✈😀😀', a: x"].indexOf('x') + 1;
+  assert.equal(doc.sliceString(offset(doc, 2, column)), 'x');
+  assert.equal(offset(doc, 2, 1000), doc.length);
+  assert.equal(offset(doc, 0, 0), 0);
 });

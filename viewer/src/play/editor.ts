@@ -77,10 +77,10 @@ function meaning({ grammar }: EditorOptions) {
   });
 }
 
-/** The offset of a line and column from 1. */
-function offset(doc: Text, line: number, column: number): number {
-  const { from, to } = doc.line(Math.min(Math.max(line, 1), doc.lines));
-  return Math.min(from + Math.max(column, 1) - 1, to);
+/** The offset of a line and column from 1; a column is a character, of which some are two units of a string. */
+export function offset(doc: Text, line: number, column: number): number {
+  const { from, text } = doc.line(Math.min(Math.max(line, 1), doc.lines));
+  return from + [...text].slice(0, Math.max(column, 1) - 1).join('').length;
 }
 
 function diagnostic(doc: Text, { line, column, message }: Problem): Diagnostic {
