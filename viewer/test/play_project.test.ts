@@ -6,7 +6,7 @@ import { deflateSync } from 'node:zlib';
 import { Text } from '@codemirror/state';
 import { Address } from '../src/play/address.ts';
 import { offset } from '../src/play/editor.ts';
-import { edited, help_of, is_seed, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
+import { edited, help_of, is_edited, is_seed, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
 import { link_of, read_link } from '../src/play/share.ts';
 
 const kShipped = {
@@ -52,6 +52,15 @@ test('a text that is as it was shipped is no edit', () => {
   const other = edited(kProject, kProject.scenario, 'eyrie: 1\n');
   assert.deepEqual(Object.keys(other.edits), [kProject.scenario]);
   assert.deepEqual(edited(other, kProject.scenario, kShipped['scenarios/sweep.yaml']).edits, {});
+});
+
+test('a flight is edited if something is that it flies with', () => {
+  const shipped = { ...kShipped, 'scenarios/sweep.yaml': `${kShipped['scenarios/sweep.yaml']}aircraft: f15c\n`, 'scenarios/other.yaml': 'eyrie: 1\n', 'data/aircraft/f15c.yaml': 'stations: [{store: aim120}]\n' };
+  const project = { ...kProject, shipped };
+  assert.ok(!is_edited(project));
+  for (const file of ['scenarios/sweep.yaml', 'scenarios/packages/more.yaml', 'data/aircraft/f15c.yaml', 'data/missiles/aim120.yaml'])
+    assert.ok(is_edited(edited(project, file, `# other\n${shipped[file as keyof typeof shipped]}`)), file);
+  assert.ok(!is_edited({ ...edited(project, 'scenarios/sweep.yaml', ''), scenario: 'scenarios/other.yaml' }));
 });
 
 test('a link brings back scenario, seed and edits', async () => {

@@ -63,6 +63,17 @@ export function seed_of(project: Project): string {
   return seeds.find((seed) => seed !== undefined) ?? '1';
 }
 
+/** Whether something is edited that it flies with: itself, what it extends and includes, and the data that these and other data name. */
+export function is_edited(project: Project): boolean {
+  const used = with_includes(project, project.scenario);
+  const others = new Set(Object.keys(project.shipped).filter((file) => file.startsWith('data/') && !used.includes(file)));
+  for (const file of used) {  // grows meanwhile
+    const words = new Set(text_of(project, file).match(/[\w-]+/g));
+    for (const other of others) if (words.has(name_of(other)) && others.delete(other)) used.push(other);
+  }
+  return used.some((file) => file in project.edits);
+}
+
 /** The names of trees in the scenario and what it includes. */
 export function tree_names(project: Project): string[] {
   const names = with_includes(project, project.scenario).flatMap((file) => {

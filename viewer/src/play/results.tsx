@@ -84,7 +84,7 @@ function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; o
           {flights.map((flight) => (
             <tr key={flight.number} data-flight={flight.number} data-hash={flight.hash}>
               <td>{flight.number}</td>
-              <td>{flight.name}{Object.keys(flight.project.edits).length ? <span title="edited"> •</span> : ''}</td>
+              <td>{flight.name}{flight.is_edited ? <span title="edited"> •</span> : ''}</td>
               <td>{flight.seed}</td>
               <td>{ended(flight.outcome!)} {clock_text(flight.outcome!.time ?? 0)}</td>
               <td>{flight.outcome!.blue.losses}</td>
