@@ -37,7 +37,7 @@ export class Flier {
     const { scenario, seed } = project;
     const about = await engine.load({ texts: { files: texts_of(project), scenario }, ...(seed && { seed }) });
     let flight: Flight = {
-      number: ++this.count, project, is_edited: is_edited(project), name: about.scenario || name_of(scenario), seed: about.seed, players: about.players,
+      number: this.count + 1, project, is_edited: is_edited(project), name: about.scenario || name_of(scenario), seed: about.seed, players: about.players,
       time: 0, until: about.until ?? 0, took: 0, story: [], hash: '',
     };
     const began = performance.now();
@@ -49,6 +49,7 @@ export class Flier {
         ...(flown.result && { outcome: flown.result }),
       };
     }
+    this.count = flight.number;
     flight.file = (await engine.run_file()).bytes;
     return flight;
   }

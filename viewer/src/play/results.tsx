@@ -74,6 +74,7 @@ function Last({ flight, before, busy, onDebrief }: { flight: Flight; before: Fli
 }
 
 function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; onDebrief: (runs: Flight[]) => void }) {
+  const first = flights.at(-1)!.number;
   return (
     <section class="flights" aria-label="Flights">
       <table>
@@ -95,6 +96,7 @@ function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; o
           ))}
         </tbody>
       </table>
+      {first > 1 && <p class="dim small">Only the last {flights.length} are kept: {first === 2 ? 'flight 1 is' : `flights 1 to ${first - 1} are`} gone.</p>}
     </section>
   );
 }
