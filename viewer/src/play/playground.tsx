@@ -129,6 +129,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
 
   const choose = (scenario: string): void => {
     put({ ...project, scenario, seed: '' });
+    put_no_seed('');
     put_file(scenario);
     count(undefined);
   };
@@ -147,6 +148,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
       const linked = (await read_link(location.hash, files)) ?? first;
       if ((await link_of(linked)) !== (await link_of(now.current.project))) {
         put(linked);
+        put_no_seed('');
         drop(null);
         put_file(Object.keys(linked.edits)[0] ?? linked.scenario);
         count(undefined);
@@ -256,7 +258,6 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   useEffect(() => editor.current!.show(file, text_of(project, file)), [file, version]);
   useEffect(() => editor.current!.mark(said.problems.filter((one) => one.file === file)), [said.problems, file]);
   useEffect(() => put_theme(theme), [theme]);
-  useEffect(() => put_no_seed(''), [project.scenario, project.seed]);
   useEffect(() => {
     if (!restored || address.holds(project)) return;
     // at once if it may be: somebody may leave at once
