@@ -12,7 +12,7 @@ const ended = ({ outcome }: Outcome): string => outcome.replaceAll('_', ' ');
 function Tally({ outcome }: { outcome: Outcome }) {
   return (
     <table class="tally">
-      <thead><tr><th />{kCounts.map((name) => <th key={name} scope="col">{name}</th>)}</tr></thead>
+      <thead><tr><td />{kCounts.map((name) => <th key={name} scope="col">{name}</th>)}</tr></thead>
       <tbody>
         {kSides.map((side) => (
           <tr key={side} data-side={side}><th scope="row" class={side}>{side}</th>{kCounts.map((name) => <td key={name}>{outcome[side][name]}</td>)}</tr>
@@ -40,7 +40,7 @@ function StoryLines({ flight }: { flight: Flight }) {
   }, [flight.number, flies, flies && flight.story.length]);
   return (
     <section class="story" aria-label="Story">
-      <ol ref={list}>
+      <ol ref={list} tabIndex={0}>
         {flight.story.map(({ time, who, text }, i) => (
           <li key={i} class={`told passed ${/^splash /.test(text) ? 'tone-kill' : ''}`}>
             <time>{clock_text(time ?? 0)}</time><span /><span><b class={side.get(who) ?? 'none'}>{who}</b> {text}</span>
@@ -79,7 +79,7 @@ function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; o
     <section class="flights" aria-label="Flights">
       <table>
         <thead>
-          <tr>{['#', 'scenario', 'seed', 'ended', 'blue lost', 'red lost', 'hash'].map((name) => <th key={name} scope="col">{name}</th>)}<th /></tr>
+          <tr>{['#', 'scenario', 'seed', 'ended', 'blue lost', 'red lost', 'hash'].map((name) => <th key={name} scope="col">{name}</th>)}<td /></tr>
         </thead>
         <tbody>
           {flights.map((flight) => (
