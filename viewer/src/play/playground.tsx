@@ -170,6 +170,8 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     put_busy('Making the debrief');
     const focused = document.activeElement as HTMLElement | null;
     const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
+    // once the button works again
+    const refocus = () => setTimeout(() => document.activeElement === document.body && focused?.focus());
     const left = new AbortController();
     const leave = (): void => {
       left.abort();
@@ -177,7 +179,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
       set_theme(window.eyrie?.store.get().theme ?? theme);
       box.remove();
       host.hidden = false;
-      setTimeout(() => focused?.focus());  // once its button works again
+      refocus();
       void address.write(now.current.project);  // it is of the editor again
       document.title = 'Eyrie playground';
     };
@@ -203,7 +205,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
       closing = show_as_flown(flights, box, told, { theme, ...first }, back);
       await closing;
     } catch (error) {
-      if (left.signal.aborted) return;  // by who went back
+      if (left.signal.aborted) return void refocus();  // by who went back
       leave();
       put_note(words_of(error));
     } finally {
