@@ -37,8 +37,9 @@ async function notices(inputs) {
   return `\n<!--\nThis page holds the following packages.\n\n${parts.join('\n\n')}\n-->\n`.replace(/(?<!^\n<!)--(?!>\n$)/g, '- -');
 }
 const packed = (bytes) => ascii85(deflateSync(bytes, { level: 9 }));
+const whole = await bundled('src/whole.ts', { format: 'iife' });
 const start = await bundled('src/start.ts', { format: 'esm' });
-// nothing but this script and this style: a text of a run that were taken for either would do nothing
+// nothing but these scripts and this style: a text of a run that were taken for either would do nothing
 const source = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 const module = engine ? `<script type="application/x-eyrie-engine">${packed(await readFile(engine))}</script>` : '';
 const shell = await readFile(join(here, 'index.html'), 'utf8');
@@ -47,9 +48,9 @@ async function make(name, title, script_file, style_file) {
   const script = await bundled(script_file, { format: 'esm', jsx: 'automatic', jsxImportSource: 'preact', loader: { '.json': 'json' }, plugins: [worker_text(common)] });
   const style = await bundled(style_file);
   const looks = style.text;
-  const policy = `default-src 'none'; script-src ${source(start.text)} blob: 'wasm-unsafe-eval'; worker-src blob:; style-src ${source(looks)}; img-src data:; base-uri 'none'; form-action 'none'`;
+  const policy = `default-src 'none'; script-src ${source(whole.text)} ${source(start.text)} blob: 'wasm-unsafe-eval'; worker-src blob:; style-src ${source(looks)}; img-src data:; base-uri 'none'; form-action 'none'`;
   const html = shell.replace('%POLICY%', () => policy).replace('%TITLE%', title).replace('/*%STYLE%*/', () => looks)
-    .replace('/*%SCRIPT%*/', () => start.text).replace('<!--%ENGINE%-->', () => module).replace('%CODE%', () => packed(script.contents));
+    .replace('/*%WHOLE%*/', () => whole.text).replace('/*%SCRIPT%*/', () => start.text).replace('<!--%ENGINE%-->', () => module).replace('%CODE%', () => packed(script.contents));
   const out = join(folder, name);
   await writeFile(`${out}.part`, html + (await notices([...script.inputs, ...style.inputs])));
   await rename(`${out}.part`, out);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Events of a page or of an element, heard until they are not wanted any more. */
 
-type Events = HTMLElementEventMap & Pick<WindowEventMap, 'hashchange' | 'popstate' | 'beforeprint' | 'afterprint'>;
+type Events = HTMLElementEventMap & Pick<WindowEventMap, 'hashchange' | 'popstate' | 'beforeunload' | 'beforeprint' | 'afterprint'>;
 type Heard = { [K in keyof Events]?: (event: Events[K]) => void };
 
 /** Returns how to stop listening. */

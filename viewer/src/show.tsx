@@ -43,10 +43,15 @@ async function unless_damaged<T>(unpacked: () => Promise<T>): Promise<T> {
 /** s: so much of a run is shown while the rest of it is being flown. */
 const kFirst = 5;
 
-/** Flies a run file again, which compares every hash with the recorded one; `told` which part is done, `begun` with its beginning. */
-export async function flown_again(module: WebAssembly.Module, file: Uint8Array, told: (part: number) => void, begun: (run: Run) => void): Promise<Run> {
+/** Flies a run file again, which compares every hash with the recorded one; `told` which part is done, `begun` with its beginning.
+ * `left` ends its engine. */
+export async function flown_again(
+  module: WebAssembly.Module, file: Uint8Array, told: (part: number) => void, begun: (run: Run) => void, left?: AbortSignal,
+): Promise<Run> {
   let until = Infinity;
   const engine = await started(module, (time) => told(time / until));
+  if (left?.aborted) engine.end();
+  left?.addEventListener('abort', () => engine.end());
   const about = await engine.open(file);
   until = about.until ?? Infinity;
   return seen(engine, about, begun);

@@ -3,7 +3,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
-import { edited, help_of, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
+import { Text } from '@codemirror/state';
+import { Address } from '../src/play/address.ts';
+import { offset } from '../src/play/editor.ts';
+import { edited, help_of, is_edited, is_seed, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
 import { link_of, read_link } from '../src/play/share.ts';
 
 const kShipped = {
@@ -34,14 +37,30 @@ test('trees are known by their names, of included files too', () => {
 
 test('help and seed are what the scenario says', () => {
   assert.equal(help_of(kShipped['scenarios/sweep.yaml']), 'a sweep');
-  assert.equal(seed_of(kShipped['scenarios/sweep.yaml']), '13');
-  assert.equal(seed_of('eyrie: 1\n'), '1');
+  assert.equal(seed_of(kProject), '13');
+  assert.equal(seed_of(edited(kProject, kProject.scenario, 'eyrie: 1\n')), '1');
+  const heir = edited(kProject, 'scenarios/heir.yaml', 'extends: sweep\n');
+  assert.equal(seed_of({ ...heir, scenario: 'scenarios/heir.yaml' }), '13', 'what it extends has it');
+});
+
+test('a seed is a whole number that the engine takes, and nothing is made of another text', () => {
+  for (const seed of ['0', '007', '18446744073709551615']) assert.ok(is_seed(seed), seed);
+  for (const none of ['', '1.5', '-5', '1e3', '٣', '18446744073709551616', '100000000000000000000']) assert.ok(!is_seed(none), none);
 });
 
 test('a text that is as it was shipped is no edit', () => {
   const other = edited(kProject, kProject.scenario, 'eyrie: 1\n');
   assert.deepEqual(Object.keys(other.edits), [kProject.scenario]);
   assert.deepEqual(edited(other, kProject.scenario, kShipped['scenarios/sweep.yaml']).edits, {});
+});
+
+test('a flight is edited if something is that it flies with', () => {
+  const shipped = { ...kShipped, 'scenarios/sweep.yaml': `${kShipped['scenarios/sweep.yaml']}aircraft: f15c\n`, 'scenarios/other.yaml': 'eyrie: 1\n', 'data/aircraft/f15c.yaml': 'stations: [{store: aim120}]\n' };
+  const project = { ...kProject, shipped };
+  assert.ok(!is_edited(project));
+  for (const file of ['scenarios/sweep.yaml', 'scenarios/packages/more.yaml', 'data/aircraft/f15c.yaml', 'data/missiles/aim120.yaml'])
+    assert.ok(is_edited(edited(project, file, `# other\n${shipped[file as keyof typeof shipped]}`)), file);
+  assert.ok(!is_edited({ ...edited(project, 'scenarios/sweep.yaml', ''), scenario: 'scenarios/other.yaml' }));
 });
 
 test('a link brings back scenario, seed and edits', async () => {
@@ -70,4 +89,29 @@ test('a link that is not ours is refused in words', async () => {
     [packed({ ...good, edits: { 'scenarios/sweep.yaml': 'eyrie: 1 # \ud800' } }), /damaged or cut/],
   ];
   for (const [link, why] of refused) await assert.rejects(read_link(link, kShipped), why, link.slice(0, 60));
+});
+
+test('the address holds what it can, and stays as it is until something is changed', async () => {
+  const location = { hash: '#s=damaged', pathname: '/', search: '' };
+  const history = { replaceState: (_: unknown, __: string, to: string) => (location.hash = to.startsWith('#') ? to : '') };
+  Object.assign(globalThis, { location, history });
+  const address = new Address(kProject);
+  assert.ok(address.holds(kProject));
+  const small = edited(kProject, kProject.scenario, 'eyrie: 1\n'), large = edited(kProject, kProject.scenario, 'x'.repeat(2_000_000));
+  assert.ok(!address.holds(small));
+  assert.deepEqual(await Promise.all([address.write(kProject), address.write(small)]), [true, true]);
+  assert.ok(address.holds(small) && !address.holds(kProject), 'the last one stands there');
+  assert.equal(location.hash, await link_of(small));
+  assert.equal(await address.write(large), false);
+  assert.ok(address.holds(small) && !address.holds(large));
+  assert.ok(await address.write(kProject));
+  assert.equal(location.hash, '');
+});
+
+test('a mistake is marked where it is, behind characters of two units too', () => {
+  const doc = Text.of(['a: 1', "name: '✈😀😀', a: x"]);
+  const column = [..."name: '✈😀😀', a: x"].indexOf('x') + 1;
+  assert.equal(doc.sliceString(offset(doc, 2, column)), 'x');
+  assert.equal(offset(doc, 2, 1000), doc.length);
+  assert.equal(offset(doc, 0, 0), 0);
 });

@@ -169,6 +169,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
         [link({ v: 1, scenario: kSweep, edits: { [kSweep]: 'eyrie: 1 # \ud800' } }), 'damaged']] as const) {
         const { page: other, complaints } = await open(browser, fragment);
         assert.match(await other.$eval('.top [role=status]', (one) => one.textContent!), new RegExp(why));
+        assert.equal(await other.evaluate(() => location.hash), fragment, 'whoever has it may mend it');
         assert.deepEqual(complaints, []);
         await other.close();
       }
@@ -183,14 +184,16 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
     });
 
     test('the flight is debriefed in the same page, and the edit is still there afterwards', async () => {
-      await page.click('.does .fly');
+      await (await page.find('.does .fly')).click({ count: 2 });
       await page.waitForSelector('body[data-ready=true]');
+      assert.equal((await page.$$('.debriefed')).length, 1, 'a second click opens nothing more');
       const hash = await page.evaluate(() => window.eyrie!.run.about.hash);
       assert.equal(hash, await page.$eval('.last', (last) => last.getAttribute('data-hash')));
       assert.ok((await page.$$('.debriefed .player')).length === 6);
       await page.click('.back');
       await page.waitForSelector('.playground');
       assert.equal(await page.$('.debriefed'), null);
+      await page.waitForFunction(() => document.activeElement?.textContent === 'Debrief');
       assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
     });
 
@@ -200,6 +203,10 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await page.waitForSelector('body[data-ready=true]');
       await page.evaluate(() => history.back());
       await page.waitForFunction(() => !document.querySelector('.debriefed'));
+      // before there is anything of it, too
+      await page.click('.does .fly');
+      await page.evaluate(() => history.back());
+      await page.waitForFunction(() => document.activeElement?.textContent === 'Debrief' && !document.querySelector('.debriefed'));
       assert.equal((await page.$$('.flights tbody tr')).length, flights);
       assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
     });

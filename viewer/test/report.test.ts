@@ -65,7 +65,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await page.click('#behind svg g');
       const [seed] = await page.$$eval('#list tbody tr td:nth-child(2)', (cells) => cells.map((cell) => cell.textContent));
       const [, outcome, hash] = eyrie('query', 'out', `SELECT outcome, hash FROM replicates WHERE cell = 1 AND seed = ${seed}`).split('\n').flatMap((line, i) => i === 1 ? [line, ...line.split(',')] : []);
-      await page.click('#list tbody button');
+      await page.click('#list tbody td:last-child button');
       assert.match(await page.textContent('#list code'), new RegExp(`banzai.* --seed ${seed}$`));
       await page.click('#list tbody tr');
       await ready(page);
@@ -91,6 +91,21 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       assert.deepEqual([...complaints, ...again.complaints], []);
     });
 
+    test('cells, bars and replicates are worked by keys, and a replicate that is not there is told', { skip: where !== 'chromium' }, async () => {
+      const { page, complaints } = await open_url(browser, `${pathToFileURL(report).href}#cell=1&replicate=99`, { width: 390, height: 800 });
+      assert.equal(await page.textContent('#none'), 'This report has no replicate 99 of cell 1.');
+      await page.$eval('#chart g', (cell) => (cell as SVGElement).focus());
+      await page.keyboard.press('Enter');
+      assert.match(await page.textContent('#behind h2'), / in cell 0: /);
+      await page.$eval('#behind svg g', (bar) => (bar as SVGElement).focus());
+      await page.keyboard.press(' ');
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the whole page scrolls sideways');
+      await page.press('#list tbody td:first-child button', 'Enter');
+      await ready(page);
+      assert.deepEqual(complaints, []);
+      await page.close();
+    });
+
     test('on paper its tables are whole and its drawings fit', { skip: where !== 'chromium' }, async () => {
       const { page } = await open_url(browser, `${pathToFileURL(report).href}#measure=1&cell=1`, { width: 700, height: 500 });
       await page.waitForSelector('#list tbody tr');
@@ -98,7 +113,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       const [cut, wide, pressed] = await page.evaluate(() => [
         [...document.querySelectorAll('.scroll')].filter((e) => getComputedStyle(e).overflowY !== 'visible').length,
         [...document.querySelectorAll('svg')].filter((e) => e.getBoundingClientRect().right > innerWidth).length,
-        [...document.querySelectorAll('button')].filter((e) => e.getClientRects().length).map((e) => e.textContent),
+        [...document.querySelectorAll('button:not(.pick)')].filter((e) => e.getClientRects().length).map((e) => e.textContent),
       ] as const);
       assert.deepEqual([cut, wide, pressed], [0, 0, ['shots']]);
       await page.close();

@@ -77,10 +77,10 @@ function meaning({ grammar }: EditorOptions) {
   });
 }
 
-/** The offset of a line and column from 1. */
-function offset(doc: Text, line: number, column: number): number {
-  const { from, to } = doc.line(Math.min(Math.max(line, 1), doc.lines));
-  return Math.min(from + Math.max(column, 1) - 1, to);
+/** The offset of a line and column from 1; a column is a character, of which some are two units of a string. */
+export function offset(doc: Text, line: number, column: number): number {
+  const { from, text } = doc.line(Math.min(Math.max(line, 1), doc.lines));
+  return from + [...text].slice(0, Math.max(column, 1) - 1).join('').length;
 }
 
 function diagnostic(doc: Text, { line, column, message }: Problem): Diagnostic {
@@ -103,7 +103,7 @@ const kTheme = EditorView.theme({
   '.cm-scroller': { fontFamily: "ui-monospace, 'SF Mono', 'Cascadia Mono', Menlo, Consolas, 'DejaVu Sans Mono', monospace", lineHeight: '1.5' },
   '.cm-content': { caretColor: 'var(--accent)' },
   '.cm-cursor': { borderLeftColor: 'var(--accent)', borderLeftWidth: '2px' },
-  '.cm-gutters': { color: 'var(--faint)', backgroundColor: 'var(--panel)', border: 'none' },
+  '.cm-gutters': { color: 'var(--dim)', backgroundColor: 'var(--panel)', border: 'none' },
   '.cm-activeLine, .cm-activeLineGutter': { backgroundColor: 'var(--raised)' },
   '.cm-selectionBackground, &.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground': { backgroundColor: 'var(--lit)' },
   '.cm-selectionMatch, .cm-matchingBracket, &.cm-focused .cm-matchingBracket': { backgroundColor: 'var(--hover)', outline: '1px solid var(--line)' },
@@ -130,7 +130,7 @@ export function make_editor(host: HTMLElement, options: EditorOptions): Editor {
     lineNumbers(), lintGutter(), foldGutter(), history(), drawSelection(), indentOnInput(), bracketMatching(), closeBrackets(),
     highlightActiveLine(), highlightActiveLineGutter(), highlightSelectionMatches(), yaml(), syntaxHighlighting(kColors), kTheme,
     autocompletion({ override: [completions(options)], icons: false }), meaning(options), EditorState.tabSize.of(2),
-    EditorView.contentAttributes.of({ 'aria-label': 'Scenario text', 'aria-description': 'Tab indents; Escape and then Tab leaves the text', spellcheck: 'false' }),
+    EditorView.contentAttributes.of({ tabindex: '0', 'aria-label': 'Scenario text', 'aria-description': 'Tab indents; Escape and then Tab leaves the text', spellcheck: 'false' }),
     keymap.of([
       { key: 'Mod-Enter', run: () => (options.fly(), true) }, ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...lintKeymap,
       ...historyKeymap, ...defaultKeymap, indentWithTab,

@@ -3,11 +3,12 @@
 import type { Flown, Line, Outcome, Player } from '../engine/questions.ts';
 import type { RunningEngine } from '../engine/engine.ts';
 import { started } from '../parts.ts';
-import { name_of, texts_of, type Project } from './project.ts';
+import { is_edited, name_of, texts_of, type Project } from './project.ts';
 
 export interface Flight {
   number: number;  // From 1.
   project: Project;
+  is_edited: boolean;  // What it flies with is not as shipped.
   name: string;
   seed: string;
   players: Player[];
@@ -36,7 +37,7 @@ export class Flier {
     const { scenario, seed } = project;
     const about = await engine.load({ texts: { files: texts_of(project), scenario }, ...(seed && { seed }) });
     let flight: Flight = {
-      number: ++this.count, project, name: about.scenario || name_of(scenario), seed: about.seed, players: about.players,
+      number: this.count + 1, project, is_edited: is_edited(project), name: about.scenario || name_of(scenario), seed: about.seed, players: about.players,
       time: 0, until: about.until ?? 0, took: 0, story: [], hash: '',
     };
     const began = performance.now();
@@ -48,6 +49,7 @@ export class Flier {
         ...(flown.result && { outcome: flown.result }),
       };
     }
+    this.count = flight.number;
     flight.file = (await engine.run_file()).bytes;
     return flight;
   }

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 /** The playground: the text of a scenario at the left, what became of it at the right. */
 import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
-import type { RunningEngine } from '../engine/engine.ts';
 import { EngineError, words_of } from '../engine/module.ts';
 import type { Problem } from '../engine/questions.ts';
 import { listen } from '../events.ts';
 import { started } from '../parts.ts';
-import { flown_again, put_theme, show_as_flown, type Opening } from '../show.tsx';
+import { flown_again, put_theme, show_as_flown, type Opening, type Shown } from '../show.tsx';
 import type { View } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
 import { mind_manners } from '../ui/keys.tsx';
-import { remember_theme, said_in } from '../ui/link.ts';
+import { remember_theme } from '../ui/link.ts';
 import { Splitter } from '../ui/splitter.tsx';
 import { copy_text } from '../ui/what_if.tsx';
 import { use_asked } from '../ui/what_if_answer.ts';
+import { Address } from './address.ts';
 import { make_editor, type Editor } from './editor.ts';
 import { Flier, type Flight } from './flights.ts';
 import {
-  edited, help_of, kFirst, name_of, scenarios, seed_of, texts_of, text_of, tree_names, with_includes, type Files,
+  edited, help_of, is_seed, kFirst, name_of, scenarios, seed_of, texts_of, text_of, tree_names, with_includes, type Files,
   type Project,
 } from './project.ts';
 import { Results } from './results.tsx';
@@ -28,6 +28,7 @@ import { link_of, read_link } from './share.ts';
 /** ms that the keyboard rests before the loader is asked. */
 const kRest = 150;
 const kMostFlights = 20;
+const kTooLarge = 'The changes are too large for a link';
 
 /** What the loader said last, and whether that was of what the text is now. */
 interface Said {
@@ -43,16 +44,6 @@ function use_loader(module: WebAssembly.Module, project: Project): Said {
   const asked = use_asked(texts, async () => (await (engine.current ??= started(module))).validate(texts), kRest);
   const failed = asked?.problem !== undefined && [{ file: scenario, line: 0, column: 0, message: asked.problem }];
   return { problems: failed || (asked?.value?.problems ?? []), is_now: asked?.key === texts };
-}
-
-/** The address holds what is edited: reloading, or sending it to somebody, brings it back. A moment that it names stays until something
- * else is edited. False: it cannot hold that much. */
-async function write_link(project: Project): Promise<boolean> {
-  const is_first = project.scenario === kFirst && !project.seed && !Object.keys(project.edits).length;
-  const link = is_first ? '' : await link_of(project);
-  if (!link && !is_first) return false;
-  if (said_in(link).get('s') !== said_in(location.hash).get('s')) history.replaceState(history.state, '', link || location.pathname + location.search);
-  return true;
 }
 
 /** The names that a key takes from the texts. */
@@ -122,14 +113,23 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   const editor = useRef<Editor | null>(null);
   const place = useRef<HTMLDivElement>(null);
   const flier = useMemo(() => new Flier(module), [module]);
+  const address = useMemo(() => new Address(first), []);
+  // whether a link can hold what is edited
+  const [fits, put_fits] = useState(true);
   const said = use_loader(module, project);
-  const wrong = said.problems.length > 0;
+  const has_mistakes = said.problems.length > 0;
+  // what stands in the field and is no seed
+  const [no_seed, put_no_seed] = useState('');
+  const wrong = has_mistakes || no_seed !== '';
+  const why_no_seed = no_seed && `'${no_seed}' is no seed: a seed is a whole number from 0 to 18446744073709551615`;
+  const why_wrong = has_mistakes ? 'Mend the mistakes first' : why_no_seed;
   const [restored, is_restored] = useState(false);
   // what the editor calls is what is now
   const now = useRef({ project, fly: () => {} });
 
   const choose = (scenario: string): void => {
     put({ ...project, scenario, seed: '' });
+    put_no_seed('');
     put_file(scenario);
     count(undefined);
   };
@@ -138,65 +138,75 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     drop(instead_of);
     count(undefined);
   };
+  const put_seed = (text: string): void => {
+    const is_right = text === '' || is_seed(text);
+    put_no_seed(is_right ? '' : text);
+    if (is_right) put({ ...project, seed: text });
+  };
   const restore = async (): Promise<void> => {
     try {
       const linked = (await read_link(location.hash, files)) ?? first;
       if ((await link_of(linked)) !== (await link_of(now.current.project))) {
         put(linked);
+        put_no_seed('');
         drop(null);
         put_file(Object.keys(linked.edits)[0] ?? linked.scenario);
         count(undefined);
       }
       put_note('');
     } catch (error) {
+      // whoever has it may mend it
+      address.keep(now.current.project);
       put_note(`The link cannot be used: ${words_of(error)}.`);
     }
     is_restored(true);
   };
   const share = async (): Promise<void> => {
-    if (!(await write_link(project))) return put_note('The changes are too large for a link.');
+    if (!(await address.write(project))) return put_note(`${kTooLarge}.`);
     put_note((await copy_text(location.href, null)) ? 'The link is copied: it holds your changes.' : 'The address bar has the link: it holds your changes.');
   };
   const debrief = async (runs: Flight[], first: Partial<View>): Promise<void> => {
+    if (busy) return;
+    put_busy('Making the debrief');
+    const focused = document.activeElement as HTMLElement | null;
+    const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
+    // once the button works again
+    const refocus = () => setTimeout(() => document.activeElement === document.body && focused?.focus());
+    const left = new AbortController();
+    const leave = (): void => {
+      left.abort();
+      unlisten();
+      set_theme(window.eyrie?.store.get().theme ?? theme);
+      box.remove();
+      host.hidden = false;
+      refocus();
+      void address.write(now.current.project);  // it is of the editor again
+      document.title = 'Eyrie playground';
+    };
+    let closing: Promise<Shown> | null = null;
+    const close = (): void => {
+      leave();
+      closing?.then((shown) => shown.close(), () => {});
+    };
+    // the browser's own way back is to the editor, too
+    const unlisten = listen(window, { popstate: ({ state }) => state === 'editor' && close() });
+    const back = { label: 'editor', go: () => (history.state === 'debrief' ? history.back() : close()) };
+    const flights = runs.map(({ file }): Opening => (told, begun) => flown_again(module, file!, told, (part) => {
+      document.body.append(box);
+      host.hidden = true;
+      begun(part);
+    }, left.signal));
     try {
-      await write_link(project);
+      if (!address.holds(project)) await address.write(project);
       history.replaceState('editor', '');
       history.pushState('debrief', '');
-      await write_link(runs.at(-1)!.project);
-      const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
-      const engines = new Set<RunningEngine | undefined>();
-      let is_open = true;
-      const leave = (): void => {
-        is_open = false;
-        unlisten();
-        set_theme(window.eyrie?.store.get().theme ?? theme);
-        for (const engine of engines) engine?.end();
-        box.remove();
-        host.hidden = false;
-        void write_link(now.current.project);  // it is of the editor again
-        document.title = 'Eyrie playground';
-      };
-      const close = (): void => {
-        leave();
-        closing.then((shown) => shown.close(), () => {});
-      };
-      // the browser's own way back is to the editor, too
-      const unlisten = listen(window, { popstate: ({ state }) => state === 'editor' && close() });
-      const back = { label: 'editor', go: () => (history.state === 'debrief' ? history.back() : close()) };
-      const flights = runs.map((run): Opening => (told, begun) => flown_again(module, run.file!, told, (part) => {
-        engines.add(part.engine);
-        document.body.append(box);
-        host.hidden = true;
-        begun(part);
-      }));
+      await address.write(runs.at(-1)!.project);
       const told = (percent: number): void => put_busy(`Making the debrief: ${percent} %`);
-      const closing = show_as_flown(flights, box, told, { theme, ...first }, back);
-      await closing.catch((error: unknown) => {
-        if (!is_open) return;
-        leave();
-        throw error;
-      });
+      closing = show_as_flown(flights, box, told, { theme, ...first }, back);
+      await closing;
     } catch (error) {
+      if (left.signal.aborted) return void refocus();  // by who went back
+      leave();
       put_note(words_of(error));
     } finally {
       put_busy('');
@@ -212,6 +222,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         put_flying(one);
       });
       put_flights((all) => [flight, ...all].slice(0, kMostFlights));
+      put_flying(null);
       if (watch) await debrief([flight], { playing: true, time: 0 });
     } catch (error) {
       put_note(error instanceof EngineError && error.problems.length ? 'Mend the mistakes first.' : words_of(error));
@@ -235,6 +246,9 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     void restore();
     listen(window, {
       hashchange: () => host.hidden || void restore(),
+      beforeunload: (event) => {
+        if (!address.holds(now.current.project)) event.preventDefault();
+      },
       keydown: (event) => {
         if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey) || event.defaultPrevented || host.hidden) return;
         event.preventDefault();
@@ -247,8 +261,9 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   useEffect(() => editor.current!.mark(said.problems.filter((one) => one.file === file)), [said.problems, file]);
   useEffect(() => put_theme(theme), [theme]);
   useEffect(() => {
-    if (!restored) return;
-    const timer = setTimeout(() => void write_link(project), kRest);
+    if (!restored || address.holds(project)) return;
+    // at once if it may be: somebody may leave at once
+    const timer = setTimeout(async () => put_fits(await address.write(project)), address.pause);
     return () => clearTimeout(timer);
   }, [project, restored]);
 
@@ -274,18 +289,19 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
           {scenarios(files).map((one) => <option key={one} value={one}>{name_of(one)}</option>)}
         </select>
         <label class="seed">seed{' '}
-          <input type="text" inputMode="numeric" pattern="\d{1,20}" aria-label="Seed" size={6} placeholder={seed_of(text)} value={project.seed}
-            onInput={(event) => put({ ...project, seed: event.currentTarget.value.replace(/\D/g, '').slice(0, 20) })} />
+          <input type="text" inputMode="numeric" aria-label="Seed" aria-invalid={no_seed !== ''} size={6} placeholder={seed_of(project)}
+            value={no_seed || project.seed} onInput={(event) => put_seed(event.currentTarget.value.trim())} />
         </label>
         <button type="button" class="quiet" title="Another seed" aria-label="Another seed"
-          onClick={() => put({ ...project, seed: String(1 + Math.floor(Math.random() * 999)) })}>⚄</button>
+          onClick={() => put_seed(String(1 + Math.floor(Math.random() * 999)))}>⚄</button>
+        {/* who clicks twice on Fly does not mean Stop, which is there by then */}
         {flying || busy === 'Loading'
-          ? <button type="button" class="fly" onClick={() => void flier.stop()}>Stop</button>
-          : <button type="button" class="fly" disabled={wrong || busy !== ''} title={wrong ? 'Mend the mistakes first' : 'Fly it to its end (Ctrl Enter)'}
+          ? <button type="button" class="fly" onClick={({ detail }) => detail > 1 || void flier.stop()}>Stop</button>
+          : <button type="button" class="fly" disabled={wrong || busy !== ''} title={why_wrong || 'Fly it to its end (Ctrl Enter)'}
               onClick={() => void fly(false)}>Fly</button>}
         <button type="button" disabled={wrong || flying !== null || busy !== ''} title="Fly it and watch it from the start" onClick={() => void fly(true)}>Watch</button>
         <span class="spring" />
-        <span class="dim small" role="status">{busy || note}</span>
+        <span class="dim small" role="status">{busy || why_no_seed || note || (fits ? '' : `${kTooLarge}: they are lost when the page is left.`)}</span>
         {is_edited
           ? <button type="button" onClick={() => put_edits({}, project.edits)}>as shipped</button>
           : dropped && <button type="button" onClick={() => put_edits(dropped, null)}>my changes again</button>}

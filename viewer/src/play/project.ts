@@ -25,6 +25,11 @@ export function edited(project: Project, file: string, text: string): Project {
   return { ...project, edits: text === project.shipped[file] ? others : { ...others, [file]: text } };
 }
 
+/** Whether the engine takes it: a whole number below 2^64. */
+export function is_seed(text: string): boolean {
+  return /^\d{1,20}$/.test(text) && BigInt(text) < 2n ** 64n;
+}
+
 /** "scenarios/sweep.yaml" -> "sweep" */
 export function name_of(file: string): string {
   return file.replace(/^.*\//, '').replace(/\.yaml$/, '');
@@ -39,11 +44,6 @@ export function help_of(text: string): string {
   return /^help:\s*(.*?)\s*$/m.exec(text)?.[1]?.replace(/^(["'])(.*)\1$/, '$2') ?? '';
 }
 
-/** The seed that a scenario has of its own. */
-export function seed_of(text: string): string {
-  return /^seed:\s*(\d+)/m.exec(text)?.[1] ?? '1';
-}
-
 /** A file with all that it extends and includes, itself first. */
 export function with_includes(project: Project, file: string, known: string[] = []): string[] {
   known.push(file);
@@ -55,6 +55,23 @@ export function with_includes(project: Project, file: string, known: string[] = 
   if (base) names.unshift(/[./]/.test(base) ? folder + base : `scenarios/${base}.yaml`);
   for (const name of names) if (name in project.shipped && !known.includes(name)) with_includes(project, name, known);
   return known;
+}
+
+/** The seed that a scenario has of its own, or of what it extends. */
+export function seed_of(project: Project): string {
+  const seeds = with_includes(project, project.scenario).map((file) => /^seed:\s*(\d+)/m.exec(text_of(project, file))?.[1]);
+  return seeds.find((seed) => seed !== undefined) ?? '1';
+}
+
+/** Whether something is edited that it flies with: itself, what it extends and includes, and the data that these and other data name. */
+export function is_edited(project: Project): boolean {
+  const used = with_includes(project, project.scenario);
+  const others = new Set(Object.keys(project.shipped).filter((file) => file.startsWith('data/') && !used.includes(file)));
+  for (const file of used) {  // grows meanwhile
+    const words = new Set(text_of(project, file).match(/[\w-]+/g));
+    for (const other of others) if (words.has(name_of(other)) && others.delete(other)) used.push(other);
+  }
+  return used.some((file) => file in project.edits);
 }
 
 /** The names of trees in the scenario and what it includes. */

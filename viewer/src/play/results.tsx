@@ -12,7 +12,7 @@ const ended = ({ outcome }: Outcome): string => outcome.replaceAll('_', ' ');
 function Tally({ outcome }: { outcome: Outcome }) {
   return (
     <table class="tally">
-      <thead><tr><th />{kCounts.map((name) => <th key={name} scope="col">{name}</th>)}</tr></thead>
+      <thead><tr><td />{kCounts.map((name) => <th key={name} scope="col">{name}</th>)}</tr></thead>
       <tbody>
         {kSides.map((side) => (
           <tr key={side} data-side={side}><th scope="row" class={side}>{side}</th>{kCounts.map((name) => <td key={name}>{outcome[side][name]}</td>)}</tr>
@@ -40,7 +40,7 @@ function StoryLines({ flight }: { flight: Flight }) {
   }, [flight.number, flies, flies && flight.story.length]);
   return (
     <section class="story" aria-label="Story">
-      <ol ref={list}>
+      <ol ref={list} tabIndex={0}>
         {flight.story.map(({ time, who, text }, i) => (
           <li key={i} class={`told passed ${/^splash /.test(text) ? 'tone-kill' : ''}`}>
             <time>{clock_text(time ?? 0)}</time><span /><span><b class={side.get(who) ?? 'none'}>{who}</b> {text}</span>
@@ -74,17 +74,18 @@ function Last({ flight, before, busy, onDebrief }: { flight: Flight; before: Fli
 }
 
 function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; onDebrief: (runs: Flight[]) => void }) {
+  const first = flights.at(-1)!.number;
   return (
     <section class="flights" aria-label="Flights">
       <table>
         <thead>
-          <tr>{['#', 'scenario', 'seed', 'ended', 'blue lost', 'red lost', 'hash'].map((name) => <th key={name} scope="col">{name}</th>)}<th /></tr>
+          <tr>{['#', 'scenario', 'seed', 'ended', 'blue lost', 'red lost', 'hash'].map((name) => <th key={name} scope="col">{name}</th>)}<td /></tr>
         </thead>
         <tbody>
           {flights.map((flight) => (
             <tr key={flight.number} data-flight={flight.number} data-hash={flight.hash}>
               <td>{flight.number}</td>
-              <td>{flight.name}{Object.keys(flight.project.edits).length ? <span title="edited"> •</span> : ''}</td>
+              <td>{flight.name}{flight.is_edited ? <span title="edited"> •</span> : ''}</td>
               <td>{flight.seed}</td>
               <td>{ended(flight.outcome!)} {clock_text(flight.outcome!.time ?? 0)}</td>
               <td>{flight.outcome!.blue.losses}</td>
@@ -95,6 +96,7 @@ function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; o
           ))}
         </tbody>
       </table>
+      {first > 1 && <p class="dim small">Only the last {flights.length} are kept: {first === 2 ? 'flight 1 is' : `flights 1 to ${first - 1} are`} gone.</p>}
     </section>
   );
 }

@@ -2,12 +2,11 @@
 /** A project as a link: #s=... is packed JSON with what differs from the shipped texts. What a link holds is shown, and flies when
  * somebody presses the button: nothing in it is believed to be more than texts for files that are there. */
 import { said_in } from '../ui/link.ts';
-import { scenarios, type Project } from './project.ts';
+import { is_seed, scenarios, type Project } from './project.ts';
 
 /** Characters of a link, and bytes of what it unpacks to. */
 const kLongestLink = 200_000;
 const kLargest = 1_000_000;
-const kDigits = /^\d{1,20}$/;
 const kDamaged = 'it is damaged or cut';
 
 interface Shared {
@@ -49,7 +48,7 @@ function checked(value: unknown, shipped: Project['shipped']): Omit<Project, 'sh
   if (!is_object(value) || value['v'] !== 1) throw new Error('it is of another version');
   const { scenario, seed = '', edits = {} } = value;
   if (typeof scenario !== 'string' || !scenarios(shipped).includes(scenario)) throw new Error('its scenario is not one of these');
-  if (typeof seed !== 'string' || (seed && !kDigits.test(seed))) throw new Error('its seed is no number');
+  if (typeof seed !== 'string' || (seed && !is_seed(seed))) throw new Error('its seed is no number');
   if (!is_object(edits)) throw new Error('its changes are none');
   const entries = Object.entries(edits).map(([file, text]) => {
     if (!Object.hasOwn(shipped, file)) throw new Error('it changes a file that is not there');
