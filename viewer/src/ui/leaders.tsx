@@ -93,12 +93,13 @@ export function LeaderRow({ player, run, label, cut }: { player: Player; run?: R
 export function WhatIfRow({ player }: { player: Player }) {
   const page = use_page();
   const changes = use_cell(page.changes);
-  const answer = use_answer()?.value;
+  const asked = use_answer();
+  const answer = asked?.value;
   const spans = useMemo(() => answer && spans_of(page.run, player, would_lead(player, answer)), [page, player, answer]) ?? null;
   use_tip('what if', 'would be', spans);
   if (!changes.length || !answer || !spans) return null;
   return (
-    <Row row="what if" label={<span class="accent">what if</span>} class="leader what-if-row">
+    <Row row="what if" label={<span class="accent">what if</span>} class={`leader what-if-row ${asked!.is_old ? 'old' : ''}`}>
       <SpanStrip spans={spans} marked={answer.spans} label={`Which behavior would have led ${player.name}`} />
     </Row>
   );

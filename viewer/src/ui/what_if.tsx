@@ -11,7 +11,7 @@ import { Chip } from './leaders.tsx';
 import { use_page, type Page } from './page.ts';
 import { use_cell, use_view } from './use.ts';
 import {
-  command_of, branch, use_answer, use_question, type Change, type Asked as AskedOf, type FlownOn,
+  command_of, branch, use_answer, use_question, type Change, type FlownOn,
 } from './what_if_answer.ts';
 
 /** Where the clipboard is closed to a file, the words are at least marked. */
@@ -75,16 +75,16 @@ function First({ first }: { first: FirstOther }) {
   );
 }
 
-function Verdict({ player, answer }: { player: Player; answer: Answer }) {
+function Verdict({ player, answer, is_old }: { player: Player; answer: Answer; is_old: boolean }) {
   const share = (answer.different / Math.max(answer.decisions, 1)) * 100;
   return (
-    <>
+    <div class={is_old ? 'old' : ''} aria-hidden={is_old}>
       <p class="verdict">
         <b>{count_text(answer.different)}</b> of {count_text(answer.decisions)} decisions of {player.name} would have been others.
       </p>
       <div class="share" aria-hidden="true"><i style={{ width: `${share}%` }} /></div>
       {answer.first && <First first={answer.first} />}
-    </>
+    </div>
   );
 }
 
@@ -161,7 +161,7 @@ interface Props {
   tree: number;  // Index of the tree that is shown.
 }
 
-function Answered({ player, tree, asked }: Props & { asked: AskedOf<Answer> | null }) {
+function Answered({ player, tree, asked }: Props & { asked: ReturnType<typeof use_answer> }) {
   const page = use_page();
   const changes = use_cell(page.changes);
   return (
@@ -173,9 +173,10 @@ function Answered({ player, tree, asked }: Props & { asked: AskedOf<Answer> | nu
       <ul class="asked-list">
         {changes.map((change) => <Asked key={`${change.tree}/${change.node}`} change={change} here={change.tree === tree} />)}
       </ul>
-      {asked?.problem && <p class="caution">⚠ {asked.problem}</p>}
-      {asked?.value && <Verdict player={player} answer={asked.value} />}
-      {asked?.value && <FlyOn player={player} />}
+      {asked?.is_old && <p class="dim">asking …</p>}
+      {asked?.problem && !asked.is_old && <p class="caution">⚠ {asked.problem}</p>}
+      {asked?.value && <Verdict player={player} answer={asked.value} is_old={asked.is_old} />}
+      {asked?.value && !asked.is_old && <FlyOn player={player} />}
       <p class="dim small">The states stay those that were flown. The same question for the terminal:</p>
       <Command command={command_of(page.run, player.index, changes)} />
     </>

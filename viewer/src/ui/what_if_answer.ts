@@ -100,13 +100,15 @@ export function use_question(): { key: string; name: string; sets: string[] } | 
   return page.run.engine && sets.length ? { key: JSON.stringify([name, sets]), name, sets } : null;
 }
 
-export function use_answer(): Asked<WhatIf> | null {
+/** The answer, and whether it is an old one: of the question before, until this one is answered. */
+export function use_answer(): Asked<WhatIf> & { is_old: boolean } | null {
   const page = use_page();
   const { key = null, name = '', sets = [] } = use_question() ?? {};
   const asked = use_asked(key, () => answer_to(page, key!, name, sets), kRest);
+  if (!asked) return key === null ? null : { key: '', is_old: true };
   // of another player it says nothing here
-  const is_his = !asked?.key || (JSON.parse(asked.key) as [string, string[]])[0] === name;
-  return is_his ? asked : { key: '' };
+  const is_his = !asked.key || (JSON.parse(asked.key) as [string, string[]])[0] === name;
+  return { ...(is_his ? asked : { key: '' as const }), is_old: asked.key !== key };
 }
 
 /** The node that would have led decision `i` of the page; -1: nobody, -2: unknown. */
