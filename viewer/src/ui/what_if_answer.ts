@@ -34,21 +34,35 @@ export function sets_of(run: Run, player: number, changes: readonly Change[]): s
   });
 }
 
-/** A word of a shell's command line. */
+/** A word of a shell's command line, in quotes. */
 function quoted(text: string): string {
   return `'${text.replaceAll("'", "'\\''")}'`;
+}
+/** The same, in quotes where it needs them. */
+function word_of(text: string): string {
+  return /^[\w./-]+$/.test(text) ? text : quoted(text);
+}
+
+/** A path as an address has it, for a shell. Bytes that are no UTF-8 are told in octal digits. */
+export function shell_path(path: string): string {
+  try {
+    return word_of(decodeURIComponent(path));
+  } catch {
+    const octal = (_: string, byte: string): string => `\\${parseInt(byte, 16).toString(8).padStart(3, '0')}`;
+    return `$'${path.replaceAll("'", "\\'").replace(/%(..)/g, octal)}'`;
+  }
 }
 
 /** The folder beside whose run the page lies; RUN where that is unknown. */
 function folder_of_run(): string {
-  const path = globalThis.location?.protocol === 'file:' && /^(.*)\/debrief\.html$/.exec(decodeURI(location.pathname))?.[1];
-  return path ? (/^[\w./-]+$/.test(path) ? path : quoted(path)) : 'RUN';
+  const path = globalThis.location?.protocol === 'file:' && /^(.*)\/debrief\.html$/.exec(location.pathname)?.[1];
+  return path ? shell_path(path) : 'RUN';
 }
 
 /** The same question for the terminal. */
 export function command_of(run: Run, player: number, changes: readonly Change[]): string {
   const sets = sets_of(run, player, changes).map((set) => `--set ${quoted(set)}`);
-  return [`eyrie whatif ${folder_of_run()}`, `--player ${run.players[player]!.name}`, ...sets].join(' ');
+  return [`eyrie whatif ${folder_of_run()}`, `--player ${word_of(run.players[player]!.name)}`, ...sets].join(' ');
 }
 
 /** An answer, or why there is none; neither of them yet. */
