@@ -281,6 +281,12 @@ describe('what if', { skip: kNoPage }, () => {
     await page.click('button[aria-label="Show: Decision"]');
     await page.waitForSelector('.future [data-outcome]');
   });
+  test('and the others can be looked at in it', { skip: kNoProgram }, async () => {
+    await select('eagle1');
+    await page.waitForSelector('.future [data-outcome]');
+    assert.ok(await page.$('[data-row="leader flown on"]'), 'it is gone');
+    await select('eagle2');
+  });
   test('is as flown again after a reset', async () => {
     // out from under the title of its section
     await page.$eval('.what-if header button', (e) => e.scrollIntoView({ block: 'center' }));

@@ -9,7 +9,7 @@ import { clock_text, count_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
 import { Chip } from './leaders.tsx';
 import { use_page, type Page } from './page.ts';
-import { use_cell, use_view } from './use.ts';
+import { use_cell } from './use.ts';
 import {
   command_of, branch, use_answer, use_question, type Change, type FlownOn,
 } from './what_if_answer.ts';
@@ -108,18 +108,17 @@ export function forget(page: Page): void {
   if (run && page.other.get()?.run === run) show(page, null);
 }
 
-/** Forgets what was flown on when another one is asked or something else, whichever panels are shown. */
+/** Forgets what was flown on when something else is asked, whichever panels are shown. */
 export function ForgetFuture() {
   const page = use_page();
   const changes = use_cell(page.changes);
-  const selected = use_view(page.store, (v) => v.selected);
   // while a mission is flown, the page is another object at each drawing
-  useEffect(() => () => forget(page), [changes, selected]);
+  useEffect(() => () => forget(page), [changes]);
   return null;
 }
 
-/** The other future from now on: how it ends, and in the air picture where everybody would be. */
-function FlyOn({ player }: { player: Player }) {
+/** The other future from now on: how it ends, and in the air picture where everybody would be. It stays for whoever is selected. */
+function FlyOn({ player, is_answered }: { player: Player; is_answered: boolean }) {
   const page = use_page();
   const changes = use_cell(page.changes);
   const future = use_cell(page.future);
@@ -127,6 +126,7 @@ function FlyOn({ player }: { player: Player }) {
     const { time } = page.store.get();
     const { dt, steps } = page.run.about;
     const step = Math.min(Math.round(time / dt), steps);
+    forget(page);
     const mine: FlownOn = { from: time };
     page.future.set(mine);
     branch(page.run, player.index, changes, step).then(
@@ -138,9 +138,10 @@ function FlyOn({ player }: { player: Player }) {
       (error: unknown) => page.future.get() === mine && page.future.set({ ...mine, problem: words_of(error) }),
     );
   };
+  if (!future && !is_answered) return null;
   return (
     <div class="future" aria-live="polite">
-      <button type="button" onClick={fly}>fly on from here with it</button>
+      {is_answered && <button type="button" onClick={fly}>fly on from here with it</button>}
       {future && !future.value && !future.problem && <p class="dim">Flying on from {clock_text(future.from)} …</p>}
       {future?.problem && <p class="caution">⚠ {future.problem}</p>}
       {future?.value && (
@@ -176,7 +177,7 @@ function Answered({ player, tree, asked }: Props & { asked: ReturnType<typeof us
       {asked?.is_old && <p class="dim">asking …</p>}
       {asked?.problem && !asked.is_old && <p class="caution">⚠ {asked.problem}</p>}
       {asked?.value && <Verdict player={player} answer={asked.value} is_old={asked.is_old} />}
-      {asked?.value && !asked.is_old && <FlyOn player={player} />}
+      <FlyOn player={player} is_answered={asked?.value !== undefined && !asked.is_old} />
       <p class="dim small">The states stay those that were flown. The same question for the terminal:</p>
       <Command command={command_of(page.run, player.index, changes)} />
     </>
