@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import type { Run } from '../src/run/run.ts';
-import { fixed, general, read_clock, reworded, side_text, value_text, type FieldInfo, speak } from '../src/words/text.ts';
+import { fixed, general, outcome_text, read_clock, reworded, side_text, value_text, type FieldInfo, speak } from '../src/words/text.ts';
 
 const kRun = { texts: ['hold', 'follow'] } as unknown as Run;
 
@@ -52,6 +52,10 @@ test('and the words of engine and files do', () => {
 
 test('a time can be typed', () => {
   assert.deepEqual(['8:20.5', '08:20', '500.5', ' 12 s', '1:75', 'soon', ''].map(read_clock), [500.5, 500, 500.5, 12, 135, null, null]);
+});
+
+test('why a mission was over is in words', () => {
+  assert.deepEqual(['blue_home', 'time', 'running'].map(outcome_text), ['blue home', 'time is up', 'running']);
 });
 
 test('what is not a number is in words', () => {

@@ -8,7 +8,7 @@ import { select } from '../ui/actions.ts';
 import { Icon } from '../ui/icon.tsx';
 import { use_page } from '../ui/page.ts';
 import { use_cell, use_paced, use_view } from '../ui/use.ts';
-import { clock_text, count_text, number_text } from '../words/text.ts';
+import { clock_text, count_text, number_text, outcome_text } from '../words/text.ts';
 import { kRates, type Live } from './live.ts';
 
 /** How it goes. */
@@ -53,7 +53,7 @@ export function LiveControls({ live }: { live: Live }) {
       </select>
       <button type="button" class={`tool words to-now ${following ? 'on' : ''}`} aria-pressed={following} title="To the present, and on with it (end)"
         onClick={() => live.present!.now()}>
-        <i class="dot" />{over ? status.outcome.replace('_', ' ') : following ? 'now' : behind > 0 ? `now, ${clock_text(behind).replace(/\.0$/, '')} on` : 'now'}
+        <i class="dot" />{over ? outcome_text(status.outcome) : following ? 'now' : behind > 0 ? `now, ${clock_text(behind).replace(/\.0$/, '')} on` : 'now'}
       </button>
       {over && live.home && <a class="tool words" href="/home" title="Choose what is flown next, or look at earlier runs">home page</a>}
     </>

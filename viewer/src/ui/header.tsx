@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { Pace } from '../live/controls.tsx';
 import type { Cell } from '../store.ts';
-import { clock_text, count_text, number_text } from '../words/text.ts';
+import { clock_text, count_text, number_text, outcome_text } from '../words/text.ts';
 import { toggle_theme } from './actions.ts';
 import { IconButton } from './icon.tsx';
 import { link_text } from './link.ts';
@@ -11,21 +11,24 @@ import { use_page, type Page } from './page.ts';
 import { use_view } from './use.ts';
 import { copy_text } from './what_if.tsx';
 
-function About({ page: { run, letter, live } }: { page: Page }) {
+function About({ page: { run, letter, live, twin } }: { page: Page }) {
   const { about } = run;
+  const is_namesake = about.scenario === twin?.run.about.scenario;
   const decisions = run.players.reduce((sum, player) => sum + player.decisions.t.length, 0);
+  const verified = run.engine && !run.is_part && !live ? `✓ same bits${run.verified ? ' as in the results' : ''}` : '';
+  const why = `Flown again in this page: ${run.verified ?? 'every hash is the one that was recorded'}`;
   const facts: [string, string][] = [
-    ['file', about.file], ['seed', about.seed], ['duration', clock_text(about.duration)],
+    ['file', about.file], ['seed', about.seed], ['outcome', outcome_text(about.outcome)], ['duration', clock_text(about.duration)],
     ['steps', `${count_text(about.steps)} of ${number_text(about.dt, 4)} s`],
     ['decisions', `${count_text(decisions)}, one each ${number_text(about.decision_period, 3)} s${about.thinned ? ', thinned' : ''}`],
-    ['hash', about.hash], ['program', about.build],
+    ['hash', about.hash], ['program', about.build], ...(verified ? [['bits', `${verified}. ${why}`] as [string, string]] : []),
   ];
   return (
     <details class="menu about">
       <summary title="About the run">
-        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b><span class="dim">{live ? about.outcome.replace('_', ' ') : about.outcome}</span>
+        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b>{is_namesake && <span>seed {about.seed}</span>}<span class="dim">{outcome_text(about.outcome)}</span>
         {run.is_part && <span class="verified" role="status">flying it again …</span>}
-        {run.engine && !run.is_part && !live && <span class="verified" title={`Flown again in this page: ${run.verified ?? 'every hash is the one that was recorded'}`}>✓ same bits{run.verified && ' as in the results'}</span>}
+        {verified && <span class="verified" title={why}>{verified}</span>}
       </summary>
       <div class="menu-body">
         <p>{about.help}</p>

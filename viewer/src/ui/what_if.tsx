@@ -5,7 +5,7 @@ import { words_of } from '../engine/module.ts';
 import type { FirstOther, Outcome, WhatIf as Answer } from '../engine/questions.ts';
 import type { Player } from '../run/run.ts';
 import { kFlownOn, type Other } from '../scene/other.ts';
-import { clock_text, count_text, reworded } from '../words/text.ts';
+import { clock_text, count_text, outcome_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
 import { Chip } from './leaders.tsx';
 import { use_page, type Page } from './page.ts';
@@ -90,7 +90,7 @@ function Verdict({ player, answer, is_old }: { player: Player; answer: Answer; i
 
 function tally(of: Outcome): string {
   const side = (name: 'blue' | 'red'): string => `${name} lost ${of[name].losses}, shot ${of[name].shots}`;
-  return `${of.outcome.replaceAll('_', ' ')} at ${clock_text(of.time ?? 0)}; ${side('blue')}; ${side('red')}`;
+  return `${outcome_text(of.outcome)} at ${clock_text(of.time ?? 0)}; ${side('blue')}; ${side('red')}`;
 }
 
 function show(page: Page, other: Other | null): void {

@@ -179,6 +179,11 @@ export function tick_text(time: number, step: number): string {
   return step < 1 ? text : text.replace(/\.\d$/, '');
 }
 
+/** Why a mission was over, of src/scenario/mission.hpp: "blue home", "time is up". */
+export function outcome_text(outcome: string): string {
+  return outcome === 'time' ? 'time is up' : outcome.replaceAll('_', ' ');
+}
+
 /** At least 1 digit, no trailing zeros: "40", "0.75". */
 export function number_text(value: number, digits = 2): string {
   return String(Number(value.toFixed(digits)));
