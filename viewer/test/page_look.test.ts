@@ -276,6 +276,21 @@ test('in a window of any width the picture has its place, and nothing lies outsi
   }
 });
 
+test('what a menu says last is reached in a small window, too', { skip: kNoPage }, async () => {
+  await on_page(open_page(browser, { width: 720, height: 450 }), async (other) => {
+    for (const [menu, last] of [['.about', 'same bits'], ['.stage-tools .menu', 'units']] as const) {
+      await other.click(`${menu} > summary`);
+      const [words, seen] = await other.$eval(menu, (e) => {
+        const line = [...e.querySelectorAll('dl div, label')].at(-1)!;
+        line.scrollIntoView({ block: 'nearest' });
+        const { left, top, height } = line.getBoundingClientRect();
+        return [line.textContent!, line.contains(document.elementFromPoint(left + 5, top + height / 2))] as const;
+      });
+      assert.ok(words.includes(last) && seen, `${menu}: ${words}`);
+    }
+  });
+});
+
 test('the air picture is turned and zoomed by keys, too', { skip: kNoPage }, async () => {
   await page.evaluate(() => window.eyrie!.store.set({ camera: 'free', playing: false, time: 480 }));
   await page.at_rest('.scene');
