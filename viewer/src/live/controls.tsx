@@ -8,7 +8,7 @@ import { select } from '../ui/actions.ts';
 import { Icon } from '../ui/icon.tsx';
 import { use_page } from '../ui/page.ts';
 import { use_cell, use_paced, use_view } from '../ui/use.ts';
-import { clock_text, count_text, number_text, outcome_text } from '../words/text.ts';
+import { clock_text, count_text, number_text, outcome_text, read_vote } from '../words/text.ts';
 import { kRates, type Live } from './live.ts';
 
 /** How it goes. */
@@ -120,13 +120,25 @@ export function Orders({ live }: { live: Live }) {
 /** Another vote for a node of the tree that is flown now. */
 export function VoteOrder({ live, player, tree, node, vote }: { live: Live; player: string; tree: string; node: string; vote: number }) {
   const [text, set_text] = useState('');
-  useEffect(() => set_text(''), [player, node]);
-  const value = Number(text);
+  const [problem, say] = useState('');
+  const write = (words: string): void => {
+    set_text(words);
+    say('');
+  };
+  useEffect(() => write(''), [player, node]);
+  const order = (event: Event): void => {
+    event.preventDefault();
+    const read = read_vote(text);
+    if (typeof read === 'string') return say(read);
+    live.order('vote', { player, tree, node, vote: read });
+    write('');
+  };
   return (
-    <form class="vote-order" onSubmit={(event) => { event.preventDefault(); live.order('vote', { player, tree, node, vote: value }); set_text(''); }}>
+    <form class="vote-order" onSubmit={order}>
       <label>vote from now on <input type="text" inputMode="decimal" size={4} value={text} placeholder={String(vote)} aria-label={`Vote of ${node} from now on`}
-        onInput={(event) => set_text(event.currentTarget.value)} /></label>
-      <button type="submit" disabled={live.is_over() || text.trim() === '' || !(value >= 0)}>order</button>
+        onInput={(event) => write(event.currentTarget.value)} /></label>
+      <button type="submit" disabled={live.is_over() || text.trim() === ''}>order</button>
+      {problem && <span class="bad small" role="alert">{problem}</span>}
     </form>
   );
 }

@@ -173,6 +173,12 @@ export function read_clock(text: string): number | null {
   return found && 60 * Number(found[1] ?? 0) + Number(found[2]);
 }
 
+/** A vote as files have it, or in words why it is none. */
+export function read_vote(text: string): number | string {
+  const vote = /^\+?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text.trim()) ? Number(text) : NaN;
+  return vote <= 1000 ? vote : `'${text.trim()}' is no vote from 0 to 1000, such as 40 or 12.5`;
+}
+
 /** "5:48" for axes; with tenths where the ticks are closer than a second. */
 export function tick_text(time: number, step: number): string {
   const text = clock_text(time).replace(/^0(?=\d)/, '');
