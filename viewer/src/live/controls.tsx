@@ -26,7 +26,9 @@ export function Pace({ live }: { live: Live }) {
     <span class="pace dim small" title={title}>
       {checked >= 0 && !use_cell(live.disagreement) && <span class="verified">✓ same bits</span>}
       <span aria-label="viewers">{viewers} ◉</span>
-      {pacing && <span>{pacing.missed ? <b class="bad">{count_text(pacing.missed)} missed</b> : '0 missed'}, {ms(pacing.p99)} ms, {number_text(100 * pacing.load, 1)} %</span>}
+      {pacing && <>
+        <span class={pacing.missed ? 'bad strong' : ''}>{count_text(pacing.missed)} missed</span><span>{ms(pacing.p99)} ms</span><span>{number_text(100 * pacing.load, 1)} %</span>
+      </>}
     </span>
   );
 }
