@@ -101,6 +101,11 @@ test('a time can be typed', { skip: kNoPage }, async () => {
   await page.fill('input[aria-label=Time]', '8:20.5');
   await page.keyboard.press('Enter');
   assert.equal(await page.evaluate(() => window.eyrie!.store.get().time), 500.5);
+  await page.fill('input[aria-label=Time]', '8:75');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.textContent('.time [role=alert]'), ' a minute has 60 seconds');
+  await page.$eval('input[aria-label=Time]', (e) => (e as HTMLElement).blur());
+  assert.equal(await page.$('.time [role=alert]'), null);
 });
 
 test('in the end all of it is seen, and who is followed has the opponent beside it', { skip: kNoPage }, async () => {

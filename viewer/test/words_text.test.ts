@@ -50,8 +50,11 @@ test('and the words of engine and files do', () => {
   speak('aviation');
 });
 
-test('a time can be typed', () => {
-  assert.deepEqual(['8:20.5', '08:20', '500.5', ' 12 s', '1:75', 'soon', ''].map(read_clock), [500.5, 500, 500.5, 12, 135, null, null]);
+test('a time can be typed, and what is none is told', () => {
+  assert.deepEqual(['8:20.5', '08:20', '500.5', ' 12 s', '16:40'].map((text) => read_clock(text, 1000)), [500.5, 500, 500.5, 12, 1000]);
+  for (const text of ['soon', '1:2:3', '-5', '8:20,5', '']) assert.match(String(read_clock(text, 1000)), /not a time such as/, text);
+  assert.equal(read_clock('8:75', 1000), 'a minute has 60 seconds');
+  assert.equal(read_clock('99:59', 1000), 'it ends at 16:40.0');
 });
 
 test('a vote is what files take for one, and what is none is told', () => {
