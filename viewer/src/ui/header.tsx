@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /** Which run this is, and what concerns the whole page. */
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
+import { listen } from '../events.ts';
 import { Pace } from '../live/controls.tsx';
+import type { Run } from '../run/run.ts';
 import type { Cell } from '../store.ts';
 import { clock_text, count_text, number_text, outcome_text } from '../words/text.ts';
 import { toggle_theme } from './actions.ts';
 import { IconButton } from './icon.tsx';
-import { link_text } from './link.ts';
+import { link_text, not_understood } from './link.ts';
 import { use_page, type Page } from './page.ts';
 import { use_view } from './use.ts';
 import { copy_text } from './what_if.tsx';
@@ -35,6 +37,19 @@ function About({ page: { run, letter, live, twin } }: { page: Page }) {
         <dl>{facts.map(([name, value]) => <div key={name}><dt>{name}</dt><dd>{value}</dd></div>)}</dl>
       </div>
     </details>
+  );
+}
+
+/** What of the address was not understood, until somebody has read it. */
+function LinkNote({ run }: { run: Run }) {
+  const [left_out, put] = useState(() => not_understood(run, location.hash));
+  useEffect(() => listen(window, { hashchange: () => put(not_understood(run, location.hash)) }), [run]);
+  if (!left_out.length) return null;
+  return (
+    <span class="small" role="alert">
+      The link says {left_out.join(', ').slice(0, 60)}, which is not understood
+      <button type="button" class="quiet" aria-label="Close what is said of the link" onClick={() => put([])}>✕</button>
+    </span>
   );
 }
 
@@ -81,6 +96,7 @@ export function Header({ pages, active, back, help, panels, onSwitch, ghosts, on
       {pages.map((page) => <About key={page.letter} page={page} />)}
       {active.live && <Pace live={active.live} />}
       <span class="spring" />
+      <LinkNote run={pages[0]!.run} />
       {pages.length > 1 && (
         <div class="segments" role="group" aria-label="Whose panels are shown">
           {pages.map((page) => (
