@@ -46,7 +46,7 @@ function LinkNote({ run }: { run: Run }) {
   useEffect(() => listen(window, { hashchange: () => put(not_understood(run, location.hash)) }), [run]);
   if (!left_out.length) return null;
   return (
-    <span class="small" role="alert">
+    <span class="link-note small" role="alert">
       The link says {left_out.join(', ').slice(0, 60)}, which is not understood
       <button type="button" class="quiet" aria-label="Close what is said of the link" onClick={() => put([])}>✕</button>
     </span>
