@@ -292,6 +292,7 @@ test('what a menu says last is reached in a small window, too', { skip: kNoPage 
         return [line.textContent!, line.contains(document.elementFromPoint(left + 5, top + height / 2))] as const;
       });
       assert.ok(words.includes(last) && seen, `${menu}: ${words}`);
+      await other.keyboard.press('Escape');
     }
   });
 });
