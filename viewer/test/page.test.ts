@@ -287,6 +287,19 @@ describe('what if', { skip: kNoPage }, () => {
     assert.ok(await page.$('[data-row="leader flown on"]'), 'it is gone');
     await select('eagle2');
   });
+  test('it is stopped while it is flown, and can be flown again', { skip: kNoProgram }, async () => {
+    const left = await page.evaluate(async () => {
+      const drawn = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+      document.querySelector<HTMLElement>('.future button')!.click();
+      await drawn();
+      document.querySelector<HTMLElement>('.future .late')!.click();
+      await drawn();
+      return document.querySelector('.future')!.textContent;
+    });
+    assert.equal(left, 'fly on from here with it');
+    await page.click('.future button');
+    await page.waitForSelector('.future [data-outcome]');
+  });
   test('is as flown again after a reset', async () => {
     // out from under the title of its section
     await page.$eval('.what-if header button', (e) => e.scrollIntoView({ block: 'center' }));

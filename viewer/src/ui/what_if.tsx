@@ -11,7 +11,7 @@ import { Chip } from './leaders.tsx';
 import { use_page, type Page } from './page.ts';
 import { use_cell } from './use.ts';
 import {
-  command_of, branch, use_answer, use_question, type Change, type FlownOn,
+  command_of, branch, stop_asking, use_answer, use_question, type Change, type FlownOn,
 } from './what_if_answer.ts';
 
 /** Where the clipboard is closed to a file, the words are at least marked. */
@@ -117,6 +117,21 @@ export function ForgetFuture() {
   return null;
 }
 
+/** Of what takes long; where others fly the mission, too, its engine goes on with them. */
+function Stop({ stop }: { stop: () => void }) {
+  return use_page().live ? null : <button type="button" class="late" onClick={stop}>stop</button>;
+}
+
+function FlyingOn({ from }: { from: number }) {
+  const page = use_page();
+  const reached = use_cell(page.run.engine!.reached);
+  const stop = (): void => {
+    forget(page);
+    page.run.engine!.stop('branch');
+  };
+  return <p class="dim">Flying on from {clock_text(from)}{reached > from && <span aria-hidden="true">, at {clock_text(reached)}</span>} … <Stop stop={stop} /></p>;
+}
+
 /** The other future from now on: how it ends, and in the air picture where everybody would be. It stays for whoever is selected. */
 function FlyOn({ player, is_answered }: { player: Player; is_answered: boolean }) {
   const page = use_page();
@@ -142,7 +157,7 @@ function FlyOn({ player, is_answered }: { player: Player; is_answered: boolean }
   return (
     <div class="future" aria-live="polite">
       {is_answered && <button type="button" onClick={fly}>fly on from here with it</button>}
-      {future && !future.value && !future.problem && <p class="dim">Flying on from {clock_text(future.from)} …</p>}
+      {future && !future.value && !future.problem && <FlyingOn from={future.from} />}
       {future?.problem && <p class="caution">⚠ {future.problem}</p>}
       {future?.value && (
         <>
@@ -174,7 +189,7 @@ function Answered({ player, tree, asked }: Props & { asked: ReturnType<typeof us
       <ul class="asked-list">
         {changes.map((change) => <Asked key={`${change.tree}/${change.node}`} change={change} here={change.tree === tree} />)}
       </ul>
-      {asked?.is_old && <p class="dim">asking …</p>}
+      {asked?.is_old && <p class="dim">asking … <Stop stop={() => stop_asking(page)} /></p>}
       {asked?.problem && !asked.is_old && <p class="caution">⚠ {asked.problem}</p>}
       {asked?.value && <Verdict player={player} answer={asked.value} is_old={asked.is_old} />}
       <FlyOn player={player} is_answered={asked?.value !== undefined && !asked.is_old} />

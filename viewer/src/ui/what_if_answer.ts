@@ -104,6 +104,12 @@ function answer_to(page: Page, key: string, player: string, sets: string[]): Pro
   return last.answer;
 }
 
+/** Asks no longer; the same question can be asked again. */
+export function stop_asking({ run, changes }: Page): void {
+  kAnswers.delete(changes);
+  run.engine!.stop('what_if');
+}
+
 /** What is asked for the selected player; null while nothing is, or nobody can be asked. */
 export function use_question(): { key: string; name: string; sets: string[] } | null {
   const page = use_page();
