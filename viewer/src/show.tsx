@@ -16,7 +16,7 @@ import { keep_in_sight, show_cause } from './ui/actions.ts';
 import { App } from './ui/app.tsx';
 import { link_pages } from './ui/compare.tsx';
 import type { Back } from './ui/header.tsx';
-import { follow_address, read_link, remembered, said_in } from './ui/link.ts';
+import { follow_address, read_link, remembered } from './ui/link.ts';
 import { first_moment } from './ui/moments.tsx';
 import { speak } from './words/text.ts';
 import { grown, make_page, type Page } from './ui/page.ts';
@@ -97,11 +97,11 @@ function twinned(pages: Page[]): Page[] {
 function begin(page: Page, { time }: Partial<View>): void {
   const { run, store } = page;
   const line = run.is_part ? -1 : first_moment(run);
-  const said = said_in(location.hash);
-  if (line < 0 || time !== undefined || said.has('t') || store.get().time > 0 || store.get().playing) return;
+  const link = read_link(run, location.hash);
+  if (line < 0 || time !== undefined || link.time !== undefined || store.get().time > 0 || store.get().playing) return;
   const { selected } = store.get();
   show_cause(page, line);
-  if (said.has('p')) store.set({ selected });
+  if (link.selected !== undefined) store.set({ selected });
 }
 
 function ready(pages: Page[], scene: AirPicture): void {

@@ -219,6 +219,23 @@ describe('what if', { skip: kNoPage }, () => {
     await answer();
     assert.match((await page.textContent('.what-if .caution'))!, /vote: .*nmi/);
   });
+  test('what is asked anew is said at once, and the answer before is marked as one', { skip: kNoProgram }, async () => {
+    const asked = (vote: string): Promise<(string | boolean)[]> => page.evaluate(async (text) => {
+      const field = document.querySelector<HTMLInputElement>('.details input[aria-label="vote in words"]')!;
+      field.value = text;
+      field.dispatchEvent(new Event('change', { bubbles: true }));
+      await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+      const panel = document.querySelector('.what-if')!;
+      const is_there = (selector: string): boolean => panel.querySelector(selector) !== null;
+      return [panel.textContent!.includes('asking …'), is_there('.caution'), is_there('.old .verdict'), is_there('.future')];
+    }, vote);
+    assert.deepEqual(await asked('44'), [true, false, false, false]);
+    await answer();
+    assert.deepEqual(await asked('43'), [true, false, true, false]);
+    await answer();
+    assert.ok(await page.$('.what-if .future'));
+    assert.equal(await page.$('.what-if .old'), null);
+  });
   test('flies on from now with the change, and says how it ends', { skip: kNoProgram }, async () => {
     await write('vote', '45');
     await answer();
@@ -262,6 +279,25 @@ describe('what if', { skip: kNoPage }, () => {
     await page.waitForTimeout(200);
     assert.ok(await page.$('[data-row="leader flown on"]'), 'it is gone');
     await page.click('button[aria-label="Show: Decision"]');
+    await page.waitForSelector('.future [data-outcome]');
+  });
+  test('and the others can be looked at in it', { skip: kNoProgram }, async () => {
+    await select('eagle1');
+    await page.waitForSelector('.future [data-outcome]');
+    assert.ok(await page.$('[data-row="leader flown on"]'), 'it is gone');
+    await select('eagle2');
+  });
+  test('it is stopped while it is flown, and can be flown again', { skip: kNoProgram }, async () => {
+    const left = await page.evaluate(async () => {
+      const drawn = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+      document.querySelector<HTMLElement>('.future button')!.click();
+      await drawn();
+      document.querySelector<HTMLElement>('.future .late')!.click();
+      await drawn();
+      return document.querySelector('.future')!.textContent;
+    });
+    assert.equal(left, 'fly on from here with it');
+    await page.click('.future button');
     await page.waitForSelector('.future [data-outcome]');
   });
   test('is as flown again after a reset', async () => {

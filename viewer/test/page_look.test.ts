@@ -101,6 +101,11 @@ test('a time can be typed', { skip: kNoPage }, async () => {
   await page.fill('input[aria-label=Time]', '8:20.5');
   await page.keyboard.press('Enter');
   assert.equal(await page.evaluate(() => window.eyrie!.store.get().time), 500.5);
+  await page.fill('input[aria-label=Time]', '8:75');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.textContent('.time [role=alert]'), ' a minute has 60 seconds');
+  await page.$eval('input[aria-label=Time]', (e) => (e as HTMLElement).blur());
+  assert.equal(await page.$('.time [role=alert]'), null);
 });
 
 test('in the end all of it is seen, and who is followed has the opponent beside it', { skip: kNoPage }, async () => {
@@ -274,6 +279,22 @@ test('in a window of any width the picture has its place, and nothing lies outsi
         }
     });
   }
+});
+
+test('what a menu says last is reached in a small window, too', { skip: kNoPage }, async () => {
+  await on_page(open_page(browser, { width: 720, height: 450 }), async (other) => {
+    for (const [menu, last] of [['.about', 'same bits'], ['.stage-tools .menu', 'units']] as const) {
+      await other.click(`${menu} > summary`);
+      const [words, seen] = await other.$eval(menu, (e) => {
+        const line = [...e.querySelectorAll('dl div, label')].at(-1)!;
+        line.scrollIntoView({ block: 'nearest' });
+        const { left, top, height } = line.getBoundingClientRect();
+        return [line.textContent!, line.contains(document.elementFromPoint(left + 5, top + height / 2))] as const;
+      });
+      assert.ok(words.includes(last) && seen, `${menu}: ${words}`);
+      await other.keyboard.press('Escape');
+    }
+  });
 });
 
 test('the air picture is turned and zoomed by keys, too', { skip: kNoPage }, async () => {

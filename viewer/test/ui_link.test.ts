@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { first_view, layers_of } from '../src/store.ts';
-import { link_text, read_link, read_link_in_page } from '../src/ui/link.ts';
+import { link_text, not_understood, read_link, read_link_in_page } from '../src/ui/link.ts';
 import { kPursues, told_run } from './ui_run.ts';
 
 const kRun = told_run(Array.from({ length: 100 }, () => kPursues));
@@ -60,4 +60,17 @@ test('times are kept within the run', () => {
 test('nonsense is left out', () => {
   for (const text of ['', '#', '#t=soon&p=nobody&c=upside_down&z=8-2&r=eagle2,eagle2', '#z=1', '#t=', '#r=eagle2', '#%%%'])
     assert.deepEqual(read_link(kRun, text), {}, text);
+});
+
+test('what is left out is told', () => {
+  assert.deepEqual(not_understood(kRun, '#t=abc&p=nobody&c=top&l=foo&s=a-b&time=5'), ['t=abc', 'p=nobody', 'l=foo', 'time=5']);
+  assert.deepEqual(not_understood(kRun, '#t=3&p=eagle2&c=free&e=1,2,3,4,5,6&z=2-8&r=bogey1,eagle2&d=dark&l=&u=metric&w=20'), []);
+  assert.deepEqual(not_understood(kRun, ''), []);
+});
+
+test('layers that there are not hide none', () => {
+  assert.equal(read_link(kRun, '#l=foo').layers, undefined);
+  assert.deepEqual(read_link(kRun, '#l=foo,rings').layers, layers_of(['rings']));
+  assert.deepEqual(read_link(kRun, '#l=').layers, layers_of([]));
+  assert.deepEqual(not_understood(kRun, '#l=foo,rings'), ['l=foo']);
 });

@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import type { Run } from '../src/run/run.ts';
-import { fixed, general, read_clock, reworded, side_text, value_text, type FieldInfo, speak } from '../src/words/text.ts';
+import { fixed, general, outcome_text, read_clock, read_vote, reworded, side_text, value_text, type FieldInfo, speak } from '../src/words/text.ts';
 
 const kRun = { texts: ['hold', 'follow'] } as unknown as Run;
 
@@ -50,8 +50,20 @@ test('and the words of engine and files do', () => {
   speak('aviation');
 });
 
-test('a time can be typed', () => {
-  assert.deepEqual(['8:20.5', '08:20', '500.5', ' 12 s', '1:75', 'soon', ''].map(read_clock), [500.5, 500, 500.5, 12, 135, null, null]);
+test('a time can be typed, and what is none is told', () => {
+  assert.deepEqual(['8:20.5', '08:20', '500.5', ' 12 s', '16:40'].map((text) => read_clock(text, 1000)), [500.5, 500, 500.5, 12, 1000]);
+  for (const text of ['soon', '1:2:3', '-5', '8:20,5', '']) assert.match(String(read_clock(text, 1000)), /not a time such as/, text);
+  assert.equal(read_clock('8:75', 1000), 'a minute has 60 seconds');
+  assert.equal(read_clock('99:59', 1000), 'it ends at 16:40.0');
+});
+
+test('a vote is what files take for one, and what is none is told', () => {
+  assert.deepEqual(['70', ' 12.5 ', '.5', '1e2', '0', '+3', '1000'].map(read_vote), [70, 12.5, 0.5, 100, 0, 3, 1000]);
+  for (const text of ['Infinity', '1e999', '0x10', 'abc', '-3', '12,5', '1001', '', '5 nmi']) assert.match(String(read_vote(text)), /is no vote/, text);
+});
+
+test('why a mission was over is in words', () => {
+  assert.deepEqual(['blue_home', 'time', 'running'].map(outcome_text), ['blue home', 'time is up', 'running']);
 });
 
 test('what is not a number is in words', () => {

@@ -8,7 +8,7 @@ import { select } from '../ui/actions.ts';
 import { Icon } from '../ui/icon.tsx';
 import { use_page } from '../ui/page.ts';
 import { use_cell, use_paced, use_view } from '../ui/use.ts';
-import { clock_text, count_text, number_text } from '../words/text.ts';
+import { clock_text, count_text, number_text, outcome_text, read_vote } from '../words/text.ts';
 import { kRates, type Live } from './live.ts';
 
 /** How it goes. */
@@ -26,7 +26,9 @@ export function Pace({ live }: { live: Live }) {
     <span class="pace dim small" title={title}>
       {checked >= 0 && !use_cell(live.disagreement) && <span class="verified">✓ same bits</span>}
       <span aria-label="viewers">{viewers} ◉</span>
-      {pacing && <span>{pacing.missed ? <b class="bad">{count_text(pacing.missed)} missed</b> : '0 missed'}, {ms(pacing.p99)} ms, {number_text(100 * pacing.load, 1)} %</span>}
+      {pacing && <>
+        <span class={pacing.missed ? 'bad strong' : ''}>{count_text(pacing.missed)} missed</span><span>{ms(pacing.p99)} ms</span><span>{number_text(100 * pacing.load, 1)} %</span>
+      </>}
     </span>
   );
 }
@@ -53,7 +55,7 @@ export function LiveControls({ live }: { live: Live }) {
       </select>
       <button type="button" class={`tool words to-now ${following ? 'on' : ''}`} aria-pressed={following} title="To the present, and on with it (end)"
         onClick={() => live.present!.now()}>
-        <i class="dot" />{over ? status.outcome.replace('_', ' ') : following ? 'now' : behind > 0 ? `now, ${clock_text(behind).replace(/\.0$/, '')} on` : 'now'}
+        <i class="dot" />{over ? outcome_text(status.outcome) : following ? 'now' : behind > 0 ? `now, ${clock_text(behind).replace(/\.0$/, '')} on` : 'now'}
       </button>
       {over && live.home && <a class="tool words" href="/home" title="Choose what is flown next, or look at earlier runs">home page</a>}
     </>
@@ -120,13 +122,25 @@ export function Orders({ live }: { live: Live }) {
 /** Another vote for a node of the tree that is flown now. */
 export function VoteOrder({ live, player, tree, node, vote }: { live: Live; player: string; tree: string; node: string; vote: number }) {
   const [text, set_text] = useState('');
-  useEffect(() => set_text(''), [player, node]);
-  const value = Number(text);
+  const [problem, say] = useState('');
+  const write = (words: string): void => {
+    set_text(words);
+    say('');
+  };
+  useEffect(() => write(''), [player, node]);
+  const order = (event: Event): void => {
+    event.preventDefault();
+    const read = read_vote(text);
+    if (typeof read === 'string') return say(read);
+    live.order('vote', { player, tree, node, vote: read });
+    write('');
+  };
   return (
-    <form class="vote-order" onSubmit={(event) => { event.preventDefault(); live.order('vote', { player, tree, node, vote: value }); set_text(''); }}>
+    <form class="vote-order" onSubmit={order}>
       <label>vote from now on <input type="text" inputMode="decimal" size={4} value={text} placeholder={String(vote)} aria-label={`Vote of ${node} from now on`}
-        onInput={(event) => set_text(event.currentTarget.value)} /></label>
-      <button type="submit" disabled={live.is_over() || text.trim() === '' || !(value >= 0)}>order</button>
+        onInput={(event) => write(event.currentTarget.value)} /></label>
+      <button type="submit" disabled={live.is_over() || text.trim() === ''}>order</button>
+      {problem && <span class="bad small" role="alert">{problem}</span>}
     </form>
   );
 }

@@ -63,7 +63,7 @@ function OtherLine({ pages }: { pages: Page[] }) {
     if (here >= 0) select(page, here);
     jump(page, t);
   };
-  return <button type="button" data-story-t={t} onClick={go}>only in {of.letter} at {clock_text(t)}: {name} {reworded(text)}</button>;
+  return <button type="button" data-story-t={t} onClick={go}>the stories part at {clock_text(t)}, only in {of.letter}: {name} {reworded(text)}</button>;
 }
 
 function Parting({ pages, player, both, decision }: { pages: Page[]; player: Player; both: boolean; decision: Divergence | null }) {

@@ -1,37 +1,55 @@
 // SPDX-License-Identifier: MIT
 /** Which run this is, and what concerns the whole page. */
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
+import { listen } from '../events.ts';
 import { Pace } from '../live/controls.tsx';
+import type { Run } from '../run/run.ts';
 import type { Cell } from '../store.ts';
-import { clock_text, count_text, number_text } from '../words/text.ts';
+import { clock_text, count_text, number_text, outcome_text } from '../words/text.ts';
 import { toggle_theme } from './actions.ts';
 import { IconButton } from './icon.tsx';
-import { link_text } from './link.ts';
+import { link_text, not_understood } from './link.ts';
 import { use_page, type Page } from './page.ts';
 import { use_view } from './use.ts';
 import { copy_text } from './what_if.tsx';
 
-function About({ page: { run, letter, live } }: { page: Page }) {
+function About({ page: { run, letter, live, twin } }: { page: Page }) {
   const { about } = run;
+  const is_namesake = about.scenario === twin?.run.about.scenario;
   const decisions = run.players.reduce((sum, player) => sum + player.decisions.t.length, 0);
+  const verified = run.engine && !run.is_part && !live ? `✓ same bits${run.verified ? ' as in the results' : ''}` : '';
+  const why = `Flown again in this page: ${run.verified ?? 'every hash is the one that was recorded'}`;
   const facts: [string, string][] = [
-    ['file', about.file], ['seed', about.seed], ['duration', clock_text(about.duration)],
+    ['file', about.file], ['seed', about.seed], ['outcome', outcome_text(about.outcome)], ['duration', clock_text(about.duration)],
     ['steps', `${count_text(about.steps)} of ${number_text(about.dt, 4)} s`],
     ['decisions', `${count_text(decisions)}, one each ${number_text(about.decision_period, 3)} s${about.thinned ? ', thinned' : ''}`],
-    ['hash', about.hash], ['program', about.build],
+    ['hash', about.hash], ['program', about.build], ...(verified ? [['bits', `${verified}. ${why}`] as [string, string]] : []),
   ];
   return (
     <details class="menu about">
       <summary title="About the run">
-        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b><span class="dim">{live ? about.outcome.replace('_', ' ') : about.outcome}</span>
+        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b>{is_namesake && <span>seed {about.seed}</span>}<span class="dim">{outcome_text(about.outcome)}</span>
         {run.is_part && <span class="verified" role="status">flying it again …</span>}
-        {run.engine && !run.is_part && !live && <span class="verified" title={`Flown again in this page: ${run.verified ?? 'every hash is the one that was recorded'}`}>✓ same bits{run.verified && ' as in the results'}</span>}
+        {verified && <span class="verified" title={why}>{verified}</span>}
       </summary>
       <div class="menu-body">
         <p>{about.help}</p>
         <dl>{facts.map(([name, value]) => <div key={name}><dt>{name}</dt><dd>{value}</dd></div>)}</dl>
       </div>
     </details>
+  );
+}
+
+/** What of the address was not understood, until somebody has read it. */
+function LinkNote({ run }: { run: Run }) {
+  const [left_out, put] = useState(() => not_understood(run, location.hash));
+  useEffect(() => listen(window, { hashchange: () => put(not_understood(run, location.hash)) }), [run]);
+  if (!left_out.length) return null;
+  return (
+    <span class="link-note small" role="alert">
+      The link says {left_out.join(', ').slice(0, 60)}, which is not understood
+      <button type="button" class="quiet" aria-label="Close what is said of the link" onClick={() => put([])}>✕</button>
+    </span>
   );
 }
 
@@ -78,6 +96,7 @@ export function Header({ pages, active, back, help, panels, onSwitch, ghosts, on
       {pages.map((page) => <About key={page.letter} page={page} />)}
       {active.live && <Pace live={active.live} />}
       <span class="spring" />
+      <LinkNote run={pages[0]!.run} />
       {pages.length > 1 && (
         <div class="segments" role="group" aria-label="Whose panels are shown">
           {pages.map((page) => (

@@ -14,7 +14,8 @@ import { use_answer, would_lead } from './what_if_answer.ts';
 /** CSS pixels: a single decision can be seen in a run of half an hour. */
 const kNarrowest = 1.5;
 
-function draw_spans({ pen, width, rem }: Sheet, spans: Span[], range: [number, number], top: number, height: number, words: boolean): void {
+/** With the words of the spans, which leave room for the line at `cut` (s), or without. */
+function draw_spans({ pen, width, rem }: Sheet, spans: Span[], range: [number, number], top: number, height: number, words: boolean, cut?: number): void {
   const [from, to] = range;
   pen.font = `${0.85 * rem}px system-ui, sans-serif`;
   pen.textBaseline = 'middle';
@@ -32,7 +33,10 @@ function draw_spans({ pen, width, rem }: Sheet, spans: Span[], range: [number, n
     pen.fillRect(x, top, room - 0.5, height);
     if (!words || room < 1.6 * rem) continue;
     pen.fillStyle = '#10161c';
-    pen.fillText(fitted(pen, span.label, room - 0.6 * rem), x + 0.3 * rem, top + height / 2 + 0.5);
+    const [begin, end, line] = [x + 0.3 * rem, x + room - 0.3 * rem, cut === undefined ? NaN : x_of(cut)];
+    const is_cut = line > begin - kNotch * rem && line < begin + pen.measureText(fitted(pen, span.label, end - begin)).width + kNotch * rem;
+    const left = is_cut ? Math.max(begin, line + 1.5 * kNotch * rem) : begin;
+    pen.fillText(fitted(pen, span.label, end - left), left, top + height / 2 + 0.5);
   }
   // on top, or they would drown between the long ones
   for (const span of short) {
@@ -41,9 +45,12 @@ function draw_spans({ pen, width, rem }: Sheet, spans: Span[], range: [number, n
   }
 }
 
+/** rem: half as wide as the notch above a line. */
+const kNotch = 0.4;
+
 /** A line through a strip with a notch above it. */
 function draw_cut({ pen, height, rem }: Sheet, x: number): void {
-  const notch = 0.4 * rem;
+  const notch = kNotch * rem;
   pen.fillStyle = color('ink');
   pen.fillRect(x - 1, 0, 2, height);
   pen.fill(new Path2D(`M${x - notch} 0H${x + notch}L${x} ${notch}Z`));
@@ -55,7 +62,7 @@ function SpanStrip({ spans, marked, cut, label }: { spans: Span[]; marked?: [num
   const canvas = use_canvas((sheet) => {
     const bar = marked ? Math.round(0.28 * sheet.rem) : 0;
     const x_of = on_axis(range, sheet.width);
-    draw_spans(sheet, spans, range, bar, sheet.height - bar, true);
+    draw_spans(sheet, spans, range, bar, sheet.height - bar, true, cut);
     sheet.pen.fillStyle = color('accent');
     for (const [x, end] of (marked ?? []).map((ends) => ends.map(x_of) as [number, number]))
       if (end >= 0 && x <= sheet.width) sheet.pen.fillRect(x, 0, Math.max(end - x, 2), bar - 1);
@@ -93,12 +100,13 @@ export function LeaderRow({ player, run, label, cut }: { player: Player; run?: R
 export function WhatIfRow({ player }: { player: Player }) {
   const page = use_page();
   const changes = use_cell(page.changes);
-  const answer = use_answer()?.value;
+  const asked = use_answer();
+  const answer = asked?.value;
   const spans = useMemo(() => answer && spans_of(page.run, player, would_lead(player, answer)), [page, player, answer]) ?? null;
   use_tip('what if', 'would be', spans);
   if (!changes.length || !answer || !spans) return null;
   return (
-    <Row row="what if" label={<span class="accent">what if</span>} class="leader what-if-row">
+    <Row row="what if" label={<span class="accent">what if</span>} class={`leader what-if-row ${asked!.is_old ? 'old' : ''}`}>
       <SpanStrip spans={spans} marked={answer.spans} label={`Which behavior would have led ${player.name}`} />
     </Row>
   );

@@ -31,12 +31,14 @@ function taste_text({ theme, layers, units, trail }: Taste): string[] {
   ];
 }
 
+const is_layer = (name: string): boolean => (kLayers as readonly string[]).includes(name);
+
 function read_taste(said: URLSearchParams): Partial<Taste> {
   const taste: Partial<Taste> = {};
   const theme = said.get('d');
   if (theme === 'light' || theme === 'dark') taste.theme = theme;
-  const layers = said.get('l');
-  if (layers !== null) taste.layers = layers_of(layers.split(','));
+  const layers = said.get('l')?.split(',').filter(Boolean);
+  if (layers && (!layers.length || layers.some(is_layer))) taste.layers = layers_of(layers);
   const units = kUnits.find((one) => one === said.get('u'));
   if (units) taste.units = units;
   const trail = kTrails.find((one) => String(one) === said.get('w'));
@@ -107,6 +109,19 @@ export function read_link(run: Run, fragment: string, duration = run.about.durat
   const [a, b] = (said.get('r') ?? '').split(',').map(player);
   if (a !== undefined && b !== undefined && a >= 0 && b >= 0 && a !== b) told.ruler = [a, b];
   return told;
+}
+
+const kKeys: Readonly<Record<string, keyof Told>> = {
+  t: 'time', p: 'selected', c: 'camera', e: 'pose', z: 'zoom', r: 'ruler', d: 'theme', l: 'layers', u: 'units', w: 'trail',
+};
+/** What of a link was left out: "p=nobody". */
+export function not_understood(run: Run, fragment: string): string[] {
+  const told = read_link(run, fragment);
+  return [...said_in(fragment)].flatMap(([key, text]) => {
+    if (kOthers.includes(key)) return [];
+    const rest = key === 'l' ? text.split(',').filter((name) => name && !is_layer(name)).join() : '';
+    return rest || !kKeys[key] || !(kKeys[key] in told) ? [`${key}=${rest || text}`] : [];
+  });
 }
 
 /** What a link changes in an open page: one to a moment without a stretch and a ruler takes those away. */

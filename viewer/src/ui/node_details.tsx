@@ -36,6 +36,15 @@ function Proposed({ player, index, tree, shape, node }: Looked) {
   );
 }
 
+/** A hundredth of the span or less, as a power of ten, so that a slider from `min` on can stand at each of these values. */
+export function step_of(min: number, max: number, values: number[]): number {
+  const step = (power: number): number => Number(`1e${power}`);
+  let power = Math.floor(Math.log10((max - min) / 100));
+  const is_between = (value: number): boolean => Math.abs((value - min) / step(power) - Math.round((value - min) / step(power))) > 1e-6;
+  while (power > -6 && values.some(is_between)) --power;
+  return step(power);
+}
+
 /** A slider where there is a span without a unit, and words where there is none: the engine reads them as a file's. `value` is what is
  * asked; undefined: as flown. */
 function Edit({ parameter, value, flown, onChange }: {
@@ -52,11 +61,14 @@ function Edit({ parameter, value, flown, onChange }: {
         </select>
       </label>
     );
+  const [first, here] = [flown || standard, value ?? (flown || standard)].map(Number) as [number, number];
+  const values = [first, here].filter(Number.isFinite);
+  const most = Math.min(max ?? Infinity, Math.max(100, ...values));
   const range = min != null && max != null ? `${quantity_text(min, unit)} to ${quantity_text(max, unit)}` : '';
   return (
     <label class="slider" title={[help, range].filter(Boolean).join('; ')}><span>{name}</span>
       {kind === 'number' && !unit && min != null && max != null && (
-        <input type="range" min={min} max={Math.min(max, 100)} step="1" value={Number(value ?? (flown || standard))} aria-label={name}
+        <input type="range" min={min} max={most} step={step_of(min, most, values)} value={here} aria-label={name}
           onInput={(event) => put(event.currentTarget.value)} />
       )}
       <input type="text" value={value ?? flown} placeholder={standard} aria-label={`${name} in words`}

@@ -33,7 +33,7 @@ export interface Page {
   other: Cell<Other | null>;  // The run flown on otherwise from a moment on, beside the one that was flown.
   marks: Mark[];  // In order of time.
   changes: Cell<Change[]>;  // What is asked of the trees instead of what was flown.
-  future: Cell<FlownOn | null>;  // What was flown on with the changes, for the selected player.
+  future: Cell<FlownOn | null>;  // What was flown on with the changes.
   node: Cell<number>;  // The node of the tree that is looked into; -1: none.
   pointed: Cell<number>;  // The node of the tree that something else on the page speaks of now; -1: none.
   hover: Cell<Hover | null>;  // What of the strips is under the pointer.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Play, pause, speed and steps, and the time. */
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { subscribe_paced } from '../clock.ts';
 import { LiveControls } from '../live/controls.tsx';
 import { clock_text, read_clock } from '../words/text.ts';
@@ -18,6 +18,7 @@ function Time() {
   const { store } = page;
   const end = use_view(store, (v) => v.end);
   const text = useRef<HTMLInputElement>(null);
+  const [problem, say] = useState('');
   useEffect(() => {
     const write = (): void => {
       // who types in it is not disturbed
@@ -26,16 +27,22 @@ function Time() {
     write();
     return subscribe_paced(store, write);
   }, [store]);
+  const go = (input: HTMLInputElement): void => {
+    const time = read_clock(input.value, end);
+    if (typeof time === 'string') return say(time);
+    jump(page, time);
+    input.blur();
+  };
+  const leave = ({ currentTarget: input }: { currentTarget: HTMLInputElement }): void => {
+    input.value = clock_text(store.get().time);
+    say('');
+  };
   return (
     <span class="time">
       <input type="text" ref={text} aria-label="Time" title="Type a time, such as 8:20.5, and press enter" inputMode="decimal" size={7}
-        onFocus={(event) => event.currentTarget.select()} onBlur={(event) => (event.currentTarget.value = clock_text(store.get().time))}
-        onKeyDown={(event) => {
-          if (event.key !== 'Enter') return;
-          const time = read_clock(event.currentTarget.value);
-          if (time !== null) jump(page, time);
-          event.currentTarget.blur();
-        }} /><span class="dim"> / {clock_text(end)}</span>
+        onFocus={(event) => event.currentTarget.select()} onInput={() => say('')} onBlur={leave}
+        onKeyDown={(event) => event.key === 'Enter' && go(event.currentTarget)} /><span class="dim"> / {clock_text(end)}</span>
+      {problem && <span class="bad small" role="alert"> {problem}</span>}
     </span>
   );
 }

@@ -89,7 +89,8 @@ const kIndent = 15;
 function width_of(tree: Tree, shape: Shape, node: number, hidden: number): number {
   const type = type_words(tree, shape, node);
   const words = text_width(label_words(tree.nodes[node]!), kFont) + (type ? 5 + text_width(type, kSmall) : 0);
-  return kIndent + words + (shape.vote[node]! > 0 ? 22 : 5) + more_width(hidden);
+  const vote = shape.vote[node]!;
+  return kIndent + words + (vote > 0 ? Math.max(text_width(number_text(vote, 1), kSmall) + 10, 22) : 5) + more_width(hidden);
 }
 
 interface Shown {

@@ -5,13 +5,13 @@ import { words_of } from '../engine/module.ts';
 import type { FirstOther, Outcome, WhatIf as Answer } from '../engine/questions.ts';
 import type { Player } from '../run/run.ts';
 import { kFlownOn, type Other } from '../scene/other.ts';
-import { clock_text, count_text, reworded } from '../words/text.ts';
+import { clock_text, count_text, outcome_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
 import { Chip } from './leaders.tsx';
 import { use_page, type Page } from './page.ts';
-import { use_cell, use_view } from './use.ts';
+import { use_cell } from './use.ts';
 import {
-  command_of, branch, use_answer, use_question, type Change, type Asked as AskedOf, type FlownOn,
+  command_of, branch, stop_asking, use_answer, use_question, type Change, type FlownOn,
 } from './what_if_answer.ts';
 
 /** Where the clipboard is closed to a file, the words are at least marked. */
@@ -75,22 +75,22 @@ function First({ first }: { first: FirstOther }) {
   );
 }
 
-function Verdict({ player, answer }: { player: Player; answer: Answer }) {
+function Verdict({ player, answer, is_old }: { player: Player; answer: Answer; is_old: boolean }) {
   const share = (answer.different / Math.max(answer.decisions, 1)) * 100;
   return (
-    <>
+    <div class={is_old ? 'old' : ''} aria-hidden={is_old}>
       <p class="verdict">
         <b>{count_text(answer.different)}</b> of {count_text(answer.decisions)} decisions of {player.name} would have been others.
       </p>
       <div class="share" aria-hidden="true"><i style={{ width: `${share}%` }} /></div>
       {answer.first && <First first={answer.first} />}
-    </>
+    </div>
   );
 }
 
 function tally(of: Outcome): string {
   const side = (name: 'blue' | 'red'): string => `${name} lost ${of[name].losses}, shot ${of[name].shots}`;
-  return `${of.outcome.replaceAll('_', ' ')} at ${clock_text(of.time ?? 0)}; ${side('blue')}; ${side('red')}`;
+  return `${outcome_text(of.outcome)} at ${clock_text(of.time ?? 0)}; ${side('blue')}; ${side('red')}`;
 }
 
 function show(page: Page, other: Other | null): void {
@@ -108,18 +108,32 @@ export function forget(page: Page): void {
   if (run && page.other.get()?.run === run) show(page, null);
 }
 
-/** Forgets what was flown on when another one is asked or something else, whichever panels are shown. */
+/** Forgets what was flown on when something else is asked, whichever panels are shown. */
 export function ForgetFuture() {
   const page = use_page();
   const changes = use_cell(page.changes);
-  const selected = use_view(page.store, (v) => v.selected);
   // while a mission is flown, the page is another object at each drawing
-  useEffect(() => () => forget(page), [changes, selected]);
+  useEffect(() => () => forget(page), [changes]);
   return null;
 }
 
-/** The other future from now on: how it ends, and in the air picture where everybody would be. */
-function FlyOn({ player }: { player: Player }) {
+/** Of what takes long; where others fly the mission, too, its engine goes on with them. */
+function Stop({ stop }: { stop: () => void }) {
+  return use_page().live ? null : <button type="button" class="late" onClick={stop}>stop</button>;
+}
+
+function FlyingOn({ from }: { from: number }) {
+  const page = use_page();
+  const reached = use_cell(page.run.engine!.reached);
+  const stop = (): void => {
+    forget(page);
+    page.run.engine!.stop('branch');
+  };
+  return <p class="dim">Flying on from {clock_text(from)}{reached > from && <span aria-hidden="true">, at {clock_text(reached)}</span>} … <Stop stop={stop} /></p>;
+}
+
+/** The other future from now on: how it ends, and in the air picture where everybody would be. It stays for whoever is selected. */
+function FlyOn({ player, is_answered }: { player: Player; is_answered: boolean }) {
   const page = use_page();
   const changes = use_cell(page.changes);
   const future = use_cell(page.future);
@@ -127,6 +141,7 @@ function FlyOn({ player }: { player: Player }) {
     const { time } = page.store.get();
     const { dt, steps } = page.run.about;
     const step = Math.min(Math.round(time / dt), steps);
+    forget(page);
     const mine: FlownOn = { from: time };
     page.future.set(mine);
     branch(page.run, player.index, changes, step).then(
@@ -138,10 +153,11 @@ function FlyOn({ player }: { player: Player }) {
       (error: unknown) => page.future.get() === mine && page.future.set({ ...mine, problem: words_of(error) }),
     );
   };
+  if (!future && !is_answered) return null;
   return (
     <div class="future" aria-live="polite">
-      <button type="button" onClick={fly}>fly on from here with it</button>
-      {future && !future.value && !future.problem && <p class="dim">Flying on from {clock_text(future.from)} …</p>}
+      {is_answered && <button type="button" onClick={fly}>fly on from here with it</button>}
+      {future && !future.value && !future.problem && <FlyingOn from={future.from} />}
       {future?.problem && <p class="caution">⚠ {future.problem}</p>}
       {future?.value && (
         <>
@@ -161,7 +177,7 @@ interface Props {
   tree: number;  // Index of the tree that is shown.
 }
 
-function Answered({ player, tree, asked }: Props & { asked: AskedOf<Answer> | null }) {
+function Answered({ player, tree, asked }: Props & { asked: ReturnType<typeof use_answer> }) {
   const page = use_page();
   const changes = use_cell(page.changes);
   return (
@@ -173,9 +189,10 @@ function Answered({ player, tree, asked }: Props & { asked: AskedOf<Answer> | nu
       <ul class="asked-list">
         {changes.map((change) => <Asked key={`${change.tree}/${change.node}`} change={change} here={change.tree === tree} />)}
       </ul>
-      {asked?.problem && <p class="caution">⚠ {asked.problem}</p>}
-      {asked?.value && <Verdict player={player} answer={asked.value} />}
-      {asked?.value && <FlyOn player={player} />}
+      {asked?.is_old && <p class="dim">asking … <Stop stop={() => stop_asking(page)} /></p>}
+      {asked?.problem && !asked.is_old && <p class="caution">⚠ {asked.problem}</p>}
+      {asked?.value && <Verdict player={player} answer={asked.value} is_old={asked.is_old} />}
+      <FlyOn player={player} is_answered={asked?.value !== undefined && !asked.is_old} />
       <p class="dim small">The states stay those that were flown. The same question for the terminal:</p>
       <Command command={command_of(page.run, player.index, changes)} />
     </>

@@ -34,21 +34,35 @@ export function sets_of(run: Run, player: number, changes: readonly Change[]): s
   });
 }
 
-/** A word of a shell's command line. */
+/** A word of a shell's command line, in quotes. */
 function quoted(text: string): string {
   return `'${text.replaceAll("'", "'\\''")}'`;
+}
+/** The same, in quotes where it needs them. */
+function word_of(text: string): string {
+  return /^[\w./-]+$/.test(text) ? text : quoted(text);
+}
+
+/** A path as an address has it, for a shell. Bytes that are no UTF-8 are told in octal digits. */
+export function shell_path(path: string): string {
+  try {
+    return word_of(decodeURIComponent(path));
+  } catch {
+    const octal = (_: string, byte: string): string => `\\${parseInt(byte, 16).toString(8).padStart(3, '0')}`;
+    return `$'${path.replaceAll("'", "\\'").replace(/%(..)/g, octal)}'`;
+  }
 }
 
 /** The folder beside whose run the page lies; RUN where that is unknown. */
 function folder_of_run(): string {
-  const path = globalThis.location?.protocol === 'file:' && /^(.*)\/debrief\.html$/.exec(decodeURI(location.pathname))?.[1];
-  return path ? (/^[\w./-]+$/.test(path) ? path : quoted(path)) : 'RUN';
+  const path = globalThis.location?.protocol === 'file:' && /^(.*)\/debrief\.html$/.exec(location.pathname)?.[1];
+  return path ? shell_path(path) : 'RUN';
 }
 
 /** The same question for the terminal. */
 export function command_of(run: Run, player: number, changes: readonly Change[]): string {
   const sets = sets_of(run, player, changes).map((set) => `--set ${quoted(set)}`);
-  return [`eyrie whatif ${folder_of_run()}`, `--player ${run.players[player]!.name}`, ...sets].join(' ');
+  return [`eyrie whatif ${folder_of_run()}`, `--player ${word_of(run.players[player]!.name)}`, ...sets].join(' ');
 }
 
 /** An answer, or why there is none; neither of them yet. */
@@ -90,6 +104,12 @@ function answer_to(page: Page, key: string, player: string, sets: string[]): Pro
   return last.answer;
 }
 
+/** Asks no longer; the same question can be asked again. */
+export function stop_asking({ run, changes }: Page): void {
+  kAnswers.delete(changes);
+  run.engine!.stop('what_if');
+}
+
 /** What is asked for the selected player; null while nothing is, or nobody can be asked. */
 export function use_question(): { key: string; name: string; sets: string[] } | null {
   const page = use_page();
@@ -100,13 +120,15 @@ export function use_question(): { key: string; name: string; sets: string[] } | 
   return page.run.engine && sets.length ? { key: JSON.stringify([name, sets]), name, sets } : null;
 }
 
-export function use_answer(): Asked<WhatIf> | null {
+/** The answer, and whether it is an old one: of the question before, until this one is answered. */
+export function use_answer(): Asked<WhatIf> & { is_old: boolean } | null {
   const page = use_page();
   const { key = null, name = '', sets = [] } = use_question() ?? {};
   const asked = use_asked(key, () => answer_to(page, key!, name, sets), kRest);
+  if (!asked) return key === null ? null : { key: '', is_old: true };
   // of another player it says nothing here
-  const is_his = !asked?.key || (JSON.parse(asked.key) as [string, string[]])[0] === name;
-  return is_his ? asked : { key: '' };
+  const is_his = !asked.key || (JSON.parse(asked.key) as [string, string[]])[0] === name;
+  return { ...(is_his ? asked : { key: '' as const }), is_old: asked.key !== key };
 }
 
 /** The node that would have led decision `i` of the page; -1: nobody, -2: unknown. */

@@ -169,16 +169,30 @@ export function clock_text(time: number): string {
   return `${String(minutes).padStart(2, '0')}:${String(seconds).padStart(2, '0')}.${tenths % 10}`;
 }
 
-/** s of "8:20.5", "08:20" or "500.5"; null: no time. */
-export function read_clock(text: string): number | null {
-  const found = /^\s*(?:(\d+):)?(\d+(?:\.\d*)?)\s*s?\s*$/.exec(text);
-  return found && 60 * Number(found[1] ?? 0) + Number(found[2]);
+/** s of "8:20.5", "08:20" or "500.5" in a run of so many s; or in words why there is no such time. */
+export function read_clock(text: string, end: number): number | string {
+  const [found, minutes, rest] = /^(?:(\d+):)?(\d+(?:\.\d*)?)\s*s?$/.exec(text.trim()) ?? [];
+  if (!found) return 'not a time such as 8:20.5 or 500.5';
+  if (minutes && Number(rest) >= 60) return 'a minute has 60 seconds';
+  const time = 60 * Number(minutes ?? 0) + Number(rest);
+  return time > end + 0.1 ? `it ends at ${clock_text(end)}` : time;
+}
+
+/** A vote as files have it, or in words why it is none. */
+export function read_vote(text: string): number | string {
+  const vote = /^\+?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text.trim()) ? Number(text) : NaN;
+  return vote <= 1000 ? vote : `'${text.trim()}' is no vote from 0 to 1000, such as 40 or 12.5`;
 }
 
 /** "5:48" for axes; with tenths where the ticks are closer than a second. */
 export function tick_text(time: number, step: number): string {
   const text = clock_text(time).replace(/^0(?=\d)/, '');
   return step < 1 ? text : text.replace(/\.\d$/, '');
+}
+
+/** Why a mission was over, of src/scenario/mission.hpp: "blue home", "time is up". */
+export function outcome_text(outcome: string): string {
+  return outcome === 'time' ? 'time is up' : outcome.replaceAll('_', ' ');
 }
 
 /** At least 1 digit, no trailing zeros: "40", "0.75". */
