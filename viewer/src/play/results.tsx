@@ -2,12 +2,11 @@
 /** What became of the flights: the one that is flying or the last one with its story, and all of them in a table. */
 import { useEffect, useRef } from 'preact/hooks';
 import type { Outcome } from '../engine/questions.ts';
-import { clock_text, count_text } from '../words/text.ts';
+import { clock_text, count_text, outcome_text } from '../words/text.ts';
 import type { Flight } from './flights.ts';
 
 const kSides = ['blue', 'red'] as const;
 const kCounts = ['kills', 'losses', 'shots', 'home'] as const;
-const ended = ({ outcome }: Outcome): string => outcome.replaceAll('_', ' ');
 
 function Tally({ outcome }: { outcome: Outcome }) {
   return (
@@ -59,7 +58,7 @@ function Last({ flight, before, busy, onDebrief }: { flight: Flight; before: Fli
       {!outcome && <Progress flight={flight} />}
       {outcome && (
         <>
-          <p><b>{ended(outcome)}</b> at {clock_text(outcome.time ?? 0)}{' '}
+          <p><b>{outcome_text(outcome.outcome)}</b> at {clock_text(outcome.time ?? 0)}{' '}
             <span class="dim">{count_text(Math.round(time / Math.max(took / 1000, 1e-3) / 10) * 10)} times real time</span></p>
           <Tally outcome={outcome} />
           <p class="small"><span class="dim">world hash</span> <code title="What ./eyrie fly prints for this text and seed">{hash}</code></p>
@@ -87,7 +86,7 @@ function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; o
               <td>{flight.number}</td>
               <td>{flight.name}{flight.is_edited ? <span title="edited"> •</span> : ''}</td>
               <td>{flight.seed}</td>
-              <td>{ended(flight.outcome!)} {clock_text(flight.outcome!.time ?? 0)}</td>
+              <td>{outcome_text(flight.outcome!.outcome)} {clock_text(flight.outcome!.time ?? 0)}</td>
               <td>{flight.outcome!.blue.losses}</td>
               <td>{flight.outcome!.red.losses}</td>
               <td><code title={flight.hash}>{flight.hash.slice(2, 8)}</code></td>
