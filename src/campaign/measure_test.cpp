@@ -28,7 +28,7 @@ struct Log final : sim::Observer {
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
     const PlayerId lead{1};
-    time = info.time() + info.dt;
+    time = info.time_after();
     for (const sim::Event& e : events)
       if (record::kind_of(e) == model::EventKind::launch)
         launches.push_back(e);

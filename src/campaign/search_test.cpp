@@ -179,7 +179,8 @@ TEST(Search, ProvesAsTheReportOfACampaignDoes) {
   const Spec spec = parse_spec(R"(eyrie: 1
 name: duel
 scenario: duel_defense
-)" + sets + R"(factors:
+set: [blue.flights.eagle.start.east=-12 nmi]
+factors:
   search:
     levels:
       before: until=120 s

@@ -239,7 +239,7 @@ Spec parse_spec(std::string text, const std::string& file) {
     throw ConfigError(search->where, "this is a search: eyrie optimize " + quote_path(file));
   static constexpr std::array<std::string_view, 2> kAlso{"design", "stop"};
   Spec spec = bind_spec(document, file, kAlso, diagnostics);
-  for (std::size_t i = 0; i < std::min(spec.sets.size(), spec.sets_where.size()); ++i)
+  for (std::size_t i = 0; i < spec.sets.size() && diagnostics.ok(); ++i)
     for (const Factor& factor : spec.factors)
       if (undoes(factor, spec.sets[i]))
         diagnostics.error(spec.sets_where[i], "set: {} is set by {} in each cell, too",

@@ -266,7 +266,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "'outcom'; did you mean 'outcome'?"},
         Mistake{"red_lost", "red_last",
                 "c.yaml:14:29: is[0]: expected one of running, blue_home, blue_lost, red_lost, "
-                "time, stopped, fault, got 'red_last'; did you mean 'red_lost'?"},
+                "time, stopped, fault, both_lost, got 'red_last'; did you mean 'red_lost'?"},
         Mistake{", who: blue}", ", whom: blue}",
                 "c.yaml:15:13: exchange: exchange_ratio needs 'who'\n"
                 "c.yaml:15:36: exchange: 'whom' says nothing of exchange_ratio"},
