@@ -29,7 +29,7 @@ struct Listener final : sim::Observer {
     for (; heard_ < told.size(); ++heard_)
       if (const auto* state = std::get_if<EntityState>(&told[heard_].packet.pdu))
         latest_[state->id.entity] = {told[heard_].time, *state};
-    const double now = info.time() + info.dt;
+    const double now = info.time_after();
     scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
       compare(id, fleet.motion(world, row), now);
     });

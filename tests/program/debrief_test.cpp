@@ -173,7 +173,8 @@ TEST(ExportProgram, CutsLinesAtThe180thMeridianAlsoWhereAPointIsOnIt) {
             0);
   ASSERT_EQ(run_program(folder, {"export", "there", "--to", "geojson"}).code, 0);
   std::size_t lines = 0, on_it = 0;
-  for (const json& feature : json::parse(read_text(folder / "there/run.geojson"))["features"]) {
+  const json all = json::parse(read_text(folder / "there/run.geojson"));
+  for (const json& feature : all["features"]) {
     if (feature["geometry"]["type"] != "MultiLineString")
       continue;
     for (const json& line : feature["geometry"]["coordinates"]) {

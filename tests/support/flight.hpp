@@ -44,7 +44,7 @@ class EventLog final : public sim::Observer {
   void observe(const sim::World&, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
     for (const sim::Event& e : events)
-      all_.push_back({info.time() + info.dt, e});
+      all_.push_back({info.time_after(), e});
   }
 
   [[nodiscard]] const std::vector<Happened>& all() const { return all_; }

@@ -21,7 +21,7 @@ class Truth final : public sim::Observer {
 
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event>) override {
-    const double time = info.time() + info.dt;
+    const double time = info.time_after();
     if (world.step() % 10 == 0) {
       look(world, time, scenario_.aircraft.table, scenario_.aircraft.kinematics);
       if (scenario_.vehicles)
