@@ -205,8 +205,7 @@ std::string reason(const Won& won) {
   return next.against > next.vote ? fmt::format("voted {:g} against {:g}", next.against, next.vote)
          : next.against == next.vote
              ? fmt::format("voted {:g} as the other did, and comes first", next.vote)
-             : fmt::format("{:g} against {:g}, and the votes did not decide", next.against,
-                           next.vote);
+             : fmt::format("{:g} against {:g}, and votes did not decide", next.against, next.vote);
 }
 
 std::string words(const Answer& answer) {
@@ -236,19 +235,17 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
   if (then.status == ubf::Status::failure)
     return fmt::format("{} {}", then.label, words(then));
   if (now.leader == ubf::kNone) {
-    const auto proposes = [&](ubf::NodeIndex node) { return !now.nodes[node].action.empty(); };
-    ubf::NodeIndex last = before;  // to which it came up
-    while (now.nodes[last].parent != ubf::kNone && proposes(now.nodes[last].parent))
-      last = now.nodes[last].parent;
-    if (const ubf::NodeIndex keeper = now.nodes[last].parent;
-        keeper != ubf::kNone && proposes(last))
-      return fmt::format("{} was kept back by {}", then.label, now.nodes[keeper].label);
-    return fmt::format("{} proposed nothing", then.label);
+    ubf::NodeIndex keeper = then.parent;  // the first that did not hand it on
+    while (keeper != ubf::kNone && !now.nodes[keeper].action.empty())
+      keeper = now.nodes[keeper].parent;
+    return keeper == ubf::kNone || then.action.empty()
+               ? fmt::format("{} proposed nothing", then.label)
+               : fmt::format("{} was kept back by {}", then.label, now.nodes[keeper].label);
   }
   const auto [mine, its] = parting(now.nodes, now.leader, before);
   const float voted = now.nodes[its].counted(), against = now.nodes[mine].counted();
   return fmt::format("{} voted {:g} against {:g}{}", then.label, voted, against,
-                     voted > against ? ", and the votes did not decide" : "");
+                     voted > against ? ", and votes did not decide" : "");
 }
 
 void put_names(std::string& text, const Decision& decision, const scenario::Scenario& scenario) {

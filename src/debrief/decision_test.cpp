@@ -96,7 +96,7 @@ TEST(Decision, SaysHowAFieldWasWon) {
   won.rivals = {{.node = 3, .against = 50, .vote = 50}};
   EXPECT_EQ(reason(won), "voted 50 as the other did, and comes first");
   won.rivals = {{.node = 3, .against = 10, .vote = 50}};
-  EXPECT_EQ(reason(won), "10 against 50, and the votes did not decide");
+  EXPECT_EQ(reason(won), "10 against 50, and votes did not decide");
   won.rivals[0].came_up = false;
   EXPECT_EQ(reason(won), "nobody else's came up to it");
   won.blended = true;

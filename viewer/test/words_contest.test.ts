@@ -62,7 +62,7 @@ test('a blend is won by the arbiter that made it', () => {
 test('reasons have words for ties and for places', () => {
   const won = (vote: number, against: number, came_up = true) => reason({ blended: false, held: false, rivals: [{ node: 1, value: 0, vote, against, came_up }] });
   assert.equal(won(40, 40), 'voted 40 as the other did, and comes first');
-  assert.equal(won(60, 40), '40 against 60, and the votes did not decide');
+  assert.equal(won(60, 40), '40 against 60, and votes did not decide');
   assert.equal(won(60, 40, false), "nobody else's came up to it");
 });
 

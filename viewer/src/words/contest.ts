@@ -56,7 +56,7 @@ export function reason({ blended, held, rivals }: Pick<Won, 'blended' | 'held' |
   if (next.against > next.vote) return `voted ${mine} against ${its}`;
   return next.against === next.vote
     ? `voted ${its} as the other did, and comes first`
-    : `${mine} against ${its}, and the votes did not decide`;
+    : `${mine} against ${its}, and votes did not decide`;
 }
 
 /** One decision of a player: who won each field of the action, and against whom. */
@@ -132,5 +132,5 @@ export function why_not(tree: Tree, shape: Shape, before: number): string {
   }
   const [mine, its] = parting(tree, shape.leader, before);
   const [voted, against] = [shape.counted[its]!, shape.counted[mine]!];
-  return `${then.label} voted ${general(voted)} against ${general(against)}${voted > against ? ', and the votes did not decide' : ''}`;
+  return `${then.label} voted ${general(voted)} against ${general(against)}${voted > against ? ', and votes did not decide' : ''}`;
 }
