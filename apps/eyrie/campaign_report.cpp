@@ -169,6 +169,7 @@ int campaign_report(const CampaignReportOptions& options) {
   std::optional<Parquet> parquet;
   if (options.parquet)
     parquet.emplace(duckdb_library());
+  check_results(options.folder);
   const Summary summary = read_summary(options.folder);
   listen_for_interrupts();
   const std::string file =
@@ -207,7 +208,7 @@ int campaign_report(const CampaignReportOptions& options) {
 int query(const QueryOptions& options) {
   if (options.sql.empty() && options.decisions.empty())
     refuse("eyrie: query needs SQL, or --decisions");
-  static_cast<void>(open_results(options.folder));
+  check_results(options.folder);
   if (!options.decisions.empty()) {
     const Parsed window = parse_quantity(options.decisions, Dimension::time);
     if (!window || window.value <= 0)

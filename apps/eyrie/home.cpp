@@ -116,8 +116,10 @@ std::optional<net::WebPage> debrief_at(std::string_view target) {
   for (std::string_view rest = target.substr(kBegin.size()); !rest.empty();) {
     const std::string word(rest.substr(0, rest.find('&')));
     rest.remove_prefix(std::min(rest.size(), word.size() + 1));
-    const std::string name = unescaped(word.substr(std::min<std::size_t>(word.size(), 4)));
-    if (!word.starts_with("run=") || !is_nameable(name) || asked.size() == 2)
+    if (!word.starts_with("run=") || asked.size() == 2)
+      return {};
+    const std::string name = unescaped(std::string_view(word).substr(4));
+    if (!is_nameable(name))
       return {};
     asked.push_back("runs/" + name);
   }

@@ -7,6 +7,7 @@
 #include "campaign/store.hpp"
 #include "core/hash.hpp"
 #include "debrief/decision.hpp"
+#include "record/acmi.hpp"
 #include "record/event_table.hpp"
 #include "record/names.hpp"
 
@@ -67,40 +68,47 @@ class WayWatcher final : public sim::Observer {
     for (const auto& player : scenario.roster.players)
       ways.push_back(
           {.player = player.name, .side = std::string(scenario::side_name(player.side))});
+    poses_.resize(ways.size());
     last_.resize(ways.size());
   }
-  void begin(const sim::World& world, double) override { look(world, true); }
+  void begin(const sim::World& world, double) override { look(world, 0, true); }
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
-    const double now = info.time_after();
-    const bool due = now >= next_;
-    if (due)
-      next_ += Way::kEvery;
-    look(world, due);
+    look(world, info.time_after(), (info.step + 1) % record::steps_in(2, info.dt) == 0);
     for (const sim::Event& e : events)
       if (const auto fate = record::fate_of(e);
           fate && fate->end == "lost" && scenario_.roster.find(fate->who))
         ways[fate->who.value - 1].lost = true;
   }
   void finish(const sim::World&) override {
-    for (std::size_t i = 0; i < ways.size(); ++i)
-      ways[i].places.push_back(last_[i]);
+    // less than a point of the screen where a map shows 10 nmi
+    constexpr record::Tolerance kNear{.position = 30, .attitude = 1};
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      if (last_[i].time > poses_[i].back().time)
+        poses_[i].push_back(last_[i]);
+      std::vector<bool> kept(poses_[i].size());
+      kept.front() = kept.back() = true;
+      record::thin(poses_[i], kept, kNear);
+      for (std::size_t k = 0; k < kept.size(); ++k)
+        if (kept[k])
+          ways[i].places.push_back({poses_[i][k].position.x, poses_[i][k].position.y});
+    }
   }
   std::vector<Way> ways;
 
  private:
-  void look(const sim::World& world, bool due) {
+  void look(const sim::World& world, double now, bool due) {
     scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
       const Vec3& p = fleet.motion(world, row).position;
-      last_[id.value - 1] = {p.x, p.y};
+      last_[id.value - 1] = {.time = now, .position = {p.x, p.y, 0}};
       if (due)
-        ways[id.value - 1].places.push_back(last_[id.value - 1]);
+        poses_[id.value - 1].push_back(last_[id.value - 1]);
     });
   }
 
   const scenario::Scenario& scenario_;
-  std::vector<std::array<double, 2>> last_;
-  double next_ = Way::kEvery;
+  std::vector<std::vector<record::Pose>> poses_;  ///< two seconds apart
+  std::vector<record::Pose> last_;
 };
 
 struct FlownWays {

@@ -47,10 +47,8 @@ struct Way {
   std::uint64_t cell = 0, replicate = 0;
   std::string player, side;
   bool lost = false;
-  /// m north and east of the reference point, every kEvery seconds, and at the end.
+  /// m north and east of the reference point; lines between them leave out what is near them.
   std::vector<std::array<double, 2>> places;
-
-  static constexpr double kEvery = 10;
 };
 
 /// Of the first `count` replicates of each cell, flown again on so many threads. `tell` gets how

@@ -366,9 +366,12 @@ Database open_results(const std::string& folder, Database::Access access) {
   Database database(file, access);
   database.distrust();
   demand_format(database, file);
-  if (access == Database::Access::read)
-    demand_unchanged(database, file);
   return database;
+}
+
+void check_results(const std::string& folder) {
+  Database database = open_results(folder);
+  demand_unchanged(database, fmt::format("{}/{}", folder, kStoreName));
 }
 
 }  // namespace eyrie::campaign

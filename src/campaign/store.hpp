@@ -84,9 +84,11 @@ class Store {
 void demand_unchanged(Database& database, const std::string& file);
 
 /// Opens the database in a folder, which may be a stranger's; throws disk::Refused if there is
-/// none, one that another version wrote, or, to be read, one that somebody has changed.
+/// none, or one that another version wrote.
 [[nodiscard]] Database open_results(const std::string& folder,
                                     Database::Access access = Database::Access::read);
+/// The same, once for a command: throws disk::Refused also if somebody has changed the results.
+void check_results(const std::string& folder);
 
 /// The columns of a table from the one numbered `first` on.
 [[nodiscard]] std::vector<std::string> columns_of(Database& database, std::string_view table,

@@ -20,6 +20,11 @@ std::string spoken(const ubf::AnyNode& node) {
   return std::string(node.label());
 }
 
+/// Whether a node, or somebody below it, proposes a field now.
+bool proposes(const Answer& node, const std::string& field) {
+  return std::ranges::find(node.action, field, &Value::name) != node.action.end();
+}
+
 }  // namespace
 
 std::vector<Answer> unanswered(const ubf::AnyTree& tree) {
@@ -50,11 +55,6 @@ std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nod
     deeper = nodes[deeper].parent;
   }
   return at;
-}
-
-/// Whether a node, or somebody below it, proposes a field now.
-static bool proposes(const Answer& node, const std::string& field) {
-  return std::ranges::find(node.action, field, &Value::name) != node.action.end();
 }
 
 std::vector<Won> contest(const std::vector<Answer>& nodes,

@@ -57,11 +57,11 @@ class Parser {
   std::optional<std::vector<Instruction>> parse() {
     const bool good = any_of(0);
     space();
-    if (good && at_ < text_.size())
-      fail(at_, "{}",
-           text_[at_] == ')'
-               ? "there is no '(' for this ')'"
-               : fmt::format("expected 'and', 'or' or the end, got {}", quote(rest_word())));
+    if (good && at_ < text_.size() && text_[at_] == ')')
+      fail(at_, "there is no '(' for this ')'");
+    else if (good && at_ < text_.size())
+      fail(at_, "expected 'and', 'or' or the end, got {}{}", quote(rest_word()),
+           did_you_mean(rest_word(), std::array<std::string_view, 2>{"and", "or"}));
     if (failed_)
       return std::nullopt;
     return std::move(program_);

@@ -129,6 +129,8 @@ TEST(Expression, MistakesAreSaidWithTheirColumnAndTheNearestName) {
   EXPECT_EQ(said_of("alarm)"), "t.yaml:3:12: there is no '(' for this ')'");
   EXPECT_EQ(said_of("alarm and"), "t.yaml:3:16: expected a state field or a quantity, got the end");
   EXPECT_EQ(said_of("alarm alarm"), "t.yaml:3:13: expected 'and', 'or' or the end, got 'alarm'");
+  EXPECT_EQ(said_of("alarm andd alarm"),
+            "t.yaml:3:13: expected 'and', 'or' or the end, got 'andd'; did you mean 'and'?");
   EXPECT_EQ(said_of("1 m < 2 m"), "t.yaml:3:7: neither side is a state field");
   EXPECT_EQ(said_of(""), "t.yaml:3:7: expected a state field or a quantity, got the end");
   EXPECT_EQ(said_of(std::string(40, '(')), "t.yaml:3:40: nested more than 32 deep");

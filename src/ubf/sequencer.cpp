@@ -56,7 +56,8 @@ class Reading {
       else if (const auto problem = label_problem(entry.key))
         diagnostics_.error(entry.where, "the name of a tree " + *problem);
       else if (const Value::Entry* name = own_name(entry.value))
-        diagnostics_.error(name->where, "a tree of a sequencer is called as 'trees' calls it, {}",
+        diagnostics_.error(name->where,
+                           "a tree of a sequencer is called by its key, {}, and has no other name",
                            quote(entry.key));
       result_.trees.emplace_back(entry.key, &entry.value);
     }

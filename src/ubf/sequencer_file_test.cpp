@@ -61,8 +61,9 @@ TEST(SequencerSpec, RefusesNamesOfTreesThatDoNotWork) {
 }
 
 TEST(SequencerSpec, RefusesAnotherNameOfATree) {
-  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: {x: {cue: 1, name: lead_in}}}}"),
-            "test.yaml:1:36: a tree of a sequencer is called as 'trees' calls it, 'a'");
+  EXPECT_EQ(
+      sequencer_mistakes("{start: a, trees: {a: {x: {cue: 1, name: lead_in}}}}"),
+      "test.yaml:1:36: a tree of a sequencer is called by its key, 'a', and has no other name");
   EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: {tree: {x: {name: 3}}}}}"), "");
 }
 

@@ -159,15 +159,15 @@ std::optional<Value> filled(std::string_view name, const Value& tree, Arguments&
   Value root = root_of(tree);
   Filling filling(name, arguments, diagnostics);
   filling.fill(root);
-  // a default may name a parameter that nothing else names, also where a reference gives another
-  // one
-  if (const Value* parameters = tree.find(kParametersKey); diagnostics.count() == before)
-    for (const Value::Entry& e : parameters ? parameters->entries : Value().entries)
-      if (Value by_default = e.value; !e.value.is_null())
-        filling.fill(by_default);
+  const Value* parameters = tree.find(kParametersKey);
+  // a default that a reference replaces may name a parameter that nothing else names
+  if (parameters && diagnostics.count() == before)
+    for (Value::Entry e : parameters->entries)
+      if (!arguments.at(e.key).is_default)
+        filling.fill(e.value);
   for (const auto& [parameter, argument] : arguments)
     if (!argument.used && diagnostics.count() == before)
-      diagnostics.error(tree.find(kParametersKey)->find_entry(parameter)->where,
+      diagnostics.error(parameters->find_entry(parameter)->where,
                         "tree {} never uses its parameter {}", quote(name), quote(parameter));
   if (diagnostics.count() != before)
     return std::nullopt;

@@ -301,15 +301,16 @@ TEST_F(Campaign, DrawsTheWaysFlown) {
   const auto all = ways({});
   ASSERT_EQ(all.size(), 2U * 5 * 2);
   for (const auto& way : all) {
-    ASSERT_EQ(way.size(), 5U + 2 * 8) << "every ten seconds of a minute, and the end";
+    ASSERT_GE(way.size(), 5U + 2 * 2) << "the beginning and the end";
+    EXPECT_LT(way.size(), 5U + 2 * 10) << "of 31 looks at who flies straight on";
     EXPECT_EQ(way[3], "blue");
     EXPECT_EQ(way[4], false);
   }
   // eagle1 at 400 kt, eastwards from the reference point: six to seven miles in a minute
   EXPECT_EQ(all[0][2], "eagle1");
   EXPECT_EQ(all[0][5], 0);
-  EXPECT_NEAR(all[0][19].get<int>(), 70, 8);
-  EXPECT_NEAR(all[0][20].get<int>(), 0, 1);
+  EXPECT_NEAR(all[0][all[0].size() - 2].get<int>(), 70, 8);
+  EXPECT_NEAR(all[0].back().get<int>(), 0, 1);
 }
 
 TEST_F(Campaign, NamesTheFoldersThatMayBeIncludedInItsCommands) {
