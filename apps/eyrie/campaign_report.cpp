@@ -39,15 +39,15 @@ Json replicates_json(Database& database, std::size_t cells) {
   return rows;
 }
 
-/// [cell, replicate, player, side, lost, tenths of a nautical mile east, north ...]
+/// [cell, replicate, player, side, lost, hundredths of a nautical mile east, north ...]
 Json ways_json(const std::vector<Way>& ways) {
-  constexpr double kTenth = 185.2;  // m
+  constexpr double kUnit = 18.52;  // m
   Json all = Json::array();
   for (const Way& way : ways) {
     Json& one = all.emplace_back(Json{way.cell, way.replicate, way.player, way.side, way.lost});
     for (const auto& [north, east] : way.places) {
-      one.push_back(std::lround(east / kTenth));
-      one.push_back(std::lround(north / kTenth));
+      one.push_back(std::lround(east / kUnit));
+      one.push_back(std::lround(north / kUnit));
     }
   }
   return all;

@@ -309,8 +309,8 @@ TEST_F(Campaign, DrawsTheWaysFlown) {
   // eagle1 at 400 kt, eastwards from the reference point: six to seven miles in a minute
   EXPECT_EQ(all[0][2], "eagle1");
   EXPECT_EQ(all[0][5], 0);
-  EXPECT_NEAR(all[0][all[0].size() - 2].get<int>(), 70, 8);
-  EXPECT_NEAR(all[0].back().get<int>(), 0, 1);
+  EXPECT_NEAR(all[0][all[0].size() - 2].get<int>(), 700, 80);
+  EXPECT_NEAR(all[0].back().get<int>(), 0, 10);
 }
 
 TEST_F(Campaign, NamesTheFoldersThatMayBeIncludedInItsCommands) {
