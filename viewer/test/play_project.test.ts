@@ -91,11 +91,19 @@ test('a link that is not ours is refused in words', async () => {
   for (const [link, why] of refused) await assert.rejects(read_link(link, kShipped), why, link.slice(0, 60));
 });
 
-test('the address holds what it can, and stays as it is until something is changed', async () => {
-  const location = { hash: '#s=damaged', pathname: '/', search: '' };
+/** An address as a browser has it. */
+function of_browser(hash: string): { hash: string } {
+  const location = { hash, pathname: '/', search: '' };
   const history = { replaceState: (_: unknown, __: string, to: string) => (location.hash = to.startsWith('#') ? to : '') };
   Object.assign(globalThis, { location, history });
+  return location;
+}
+
+test('the address holds what it can, and stays as it is until something is changed', async () => {
+  const location = of_browser('#s=damaged');
   const address = new Address(kProject);
+  await assert.rejects(address.read(kProject), /damaged/);
+  assert.equal(await address.read(kProject), null, 'that was told');
   assert.ok(address.holds(kProject));
   const small = edited(kProject, kProject.scenario, 'eyrie: 1\n'), large = edited(kProject, kProject.scenario, 'x'.repeat(2_000_000));
   assert.ok(!address.holds(small));
@@ -106,6 +114,28 @@ test('the address holds what it can, and stays as it is until something is chang
   assert.ok(address.holds(small) && !address.holds(large));
   assert.ok(await address.write(kProject));
   assert.equal(location.hash, '');
+});
+
+test('what an address became on the ways back and forward is read, and nothing is written over it', async () => {
+  const location = of_browser('');
+  const address = new Address(kProject);
+  assert.equal(await address.read(kProject), null);
+  const small = edited(kProject, kProject.scenario, 'eyrie: 1\n'), other = edited(kProject, kProject.scenario, 'eyrie: 1  # other\n');
+  const late = address.write(small);
+  location.hash = await link_of(other);
+  await late;
+  assert.equal(location.hash, await link_of(other), 'it is not read yet');
+  const reading = address.read(small);
+  await address.write(small);
+  const read = await reading;
+  assert.equal(location.hash, await link_of(other));
+  assert.deepEqual(read, other);
+  assert.ok(address.holds(read!));
+  // two ways at once: the last one counts
+  location.hash = '';
+  const first = address.read(other);
+  location.hash = await link_of(small);
+  assert.deepEqual(await Promise.all([first, address.read(other)]), [null, small]);
 });
 
 test('a mistake is marked where it is, behind characters of two units too', () => {

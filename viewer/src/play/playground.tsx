@@ -23,7 +23,6 @@ import {
 } from './project.ts';
 import { Results } from './results.tsx';
 import { Grammar, type Schema } from './schema.ts';
-import { link_of, read_link } from './share.ts';
 
 /** ms that the keyboard rests before the loader is asked. */
 const kRest = 150;
@@ -145,18 +144,17 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   };
   const restore = async (): Promise<void> => {
     try {
-      const linked = (await read_link(location.hash, files)) ?? first;
-      if ((await link_of(linked)) !== (await link_of(now.current.project))) {
+      const linked = await address.read(now.current.project);
+      if (linked) {
         put(linked);
         put_no_seed('');
+        put_fits(true);
         drop(null);
         put_file(Object.keys(linked.edits)[0] ?? linked.scenario);
         count(undefined);
       }
       put_note('');
     } catch (error) {
-      // whoever has it may mend it
-      address.keep(now.current.project);
       put_note(`The link cannot be used: ${words_of(error)}.`);
     }
     is_restored(true);
