@@ -53,6 +53,15 @@ std::size_t tolerance(std::string_view wrong, std::string_view name) {
   return std::max<std::size_t>(1, std::min(wrong.size(), name.size()) / 3);
 }
 
+/// Whether `some` are words of the name: "takes_all" of "winner_takes_all".
+bool are_words_of(std::string_view some, std::string_view name) {
+  const std::size_t at = name.find(some);
+  if (at == name.npos || some.size() < 3)
+    return false;
+  const std::size_t end = at + some.size();
+  return (at == 0 || name[at - 1] == '_') && (end == name.size() || name[end] == '_');
+}
+
 template <class Name>
 std::string nearest(std::string_view wrong, std::span<const Name> names) {
   if (wrong.empty() || wrong.size() > kLongestName)
@@ -75,6 +84,13 @@ std::string nearest(std::string_view wrong, std::span<const Name> names) {
       best = name;
       best_distance = distance;
     }
+  }
+  if (!best) {
+    // half a name, if it is of no other
+    const auto has = [wrong](std::string_view name) { return are_words_of(wrong, name); };
+    const auto one = std::ranges::find_if(names, has);
+    if (one != names.end() && std::none_of(one + 1, names.end(), has))
+      best = *one;
   }
   return best ? fmt::format("; did you mean '{}'?", *best) : std::string{};
 }

@@ -105,7 +105,8 @@ class ConfigError : public std::runtime_error {
 };
 
 /// "; did you mean 'x'?" for the name nearest to `wrong`, or "" when none is near. Letter case does
-/// not count, swapping two neighbors counts as one edit; the earlier name wins a tie.
+/// not count, swapping two neighbors counts as one edit; the earlier name wins a tie. When none is
+/// near: the only one that `wrong` is whole words of, as "latin" of "latin_hypercube".
 [[nodiscard]] std::string did_you_mean(std::string_view wrong,
                                        std::span<const std::string_view> names);
 [[nodiscard]] std::string did_you_mean(std::string_view wrong, std::span<const std::string> names);

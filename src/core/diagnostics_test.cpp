@@ -149,6 +149,14 @@ TEST(NearestOrAll, ListsWhatIsReadAtAGlance) {
   EXPECT_EQ(nearest_or_all("a", std::vector<std::string>{std::string(300, 'x')}), "");
 }
 
+TEST(DidYouMean, NamesTheOnlyOneOfTheseWords) {
+  const std::vector<std::string> names{"winner_takes_all", "latin_hypercube", "one_of", "one_by"};
+  EXPECT_EQ(did_you_mean("latin", names), "; did you mean 'latin_hypercube'?");
+  EXPECT_EQ(did_you_mean("takes_all", names), "; did you mean 'winner_takes_all'?");
+  EXPECT_EQ(did_you_mean("one", names), "") << "of two";
+  EXPECT_EQ(did_you_mean("hyper", names), "") << "no whole word";
+}
+
 TEST(DidYouMean, PrefersTheEarlierOfTwoEquallyNear) {
   EXPECT_EQ(did_you_mean("line", std::vector<std::string>{"lane", "line", "lone"}),
             "; did you mean 'line'?");

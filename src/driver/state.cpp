@@ -57,13 +57,13 @@ namespace {
 
 using ubf::kNoValue;
 constexpr auto number = ubf::FieldsOf<State>::number;
+constexpr auto angle = ubf::FieldsOf<State>::angle;
 constexpr auto flag = ubf::FieldsOf<State>::flag;
 
 constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("time", "s", "of the run", [](const State& s) { return s.time; }),
     number("speed", "m/s", "own, over the ground", [](const State& s) { return s.own.speed; }),
-    number("heading", "rad", "own, true, in (-180°, 180°]",
-           [](const State& s) { return s.own.heading; }),
+    angle("heading", "own, true, in (-180°, 180°]", [](const State& s) { return s.own.heading; }),
     number("rank", "", "own, among the members believed alive; 1 leads",
            [](const State& s) { return double(s.rank); }),
     number("alive", "", "members of the convoy believed alive, the driver included",

@@ -11,6 +11,7 @@ namespace {
 
 using ubf::kNoValue;
 constexpr auto number = ubf::FieldsOf<State>::number;
+constexpr auto angle = ubf::FieldsOf<State>::angle;
 constexpr auto flag = ubf::FieldsOf<State>::flag;
 
 /// rad in (-pi, pi], of a true bearing from the own heading, positive right.
@@ -109,11 +110,9 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            [](const State& s) { return s.own.altitude; }),
     number("speed", "m/s", "own, through the air", [](const State& s) { return s.own.speed; }),
     number("mach", "", "own", [](const State& s) { return s.own.mach; }),
-    number("heading", "rad", "own, true, in (-180°, 180°]",
-           [](const State& s) { return s.own.heading; }),
-    number("pitch", "rad", "own, positive up", [](const State& s) { return s.own.pitch; }),
-    number("roll", "rad", "own, positive right wing down",
-           [](const State& s) { return s.own.roll; }),
+    angle("heading", "own, true, in (-180°, 180°]", [](const State& s) { return s.own.heading; }),
+    angle("pitch", "own, positive up", [](const State& s) { return s.own.pitch; }),
+    angle("roll", "own, positive right wing down", [](const State& s) { return s.own.roll; }),
     number("climb_rate", "m/s", "own, positive up",
            [](const State& s) { return -s.velocity_ned.z; }),
     // the level part of the lift turns the path: Stevens, Lewis & Johnson, Aircraft Control and
@@ -143,13 +142,13 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("rounds", "", "left in the gun", [](const State& s) { return double(s.gun.rounds); }),
     number("home_range", "m", "to the home of the flight, along the ground",
            [](const State& s) { return s.home_distance().value_or(kNoValue); }),
-    number("home_right", "rad", "home off the own heading, in (-180°, 180°], positive right",
-           [](const State& s) {
-             return s.flight.home
-                        ? right_of_nose(s,
-                                        bearing_of(to_ned(s.own, *s.flight.home - s.own.position)))
-                        : kNoValue;
-           }),
+    angle("home_right", "home off the own heading, in (-180°, 180°], positive right",
+          [](const State& s) {
+            return s.flight.home
+                       ? right_of_nose(s,
+                                       bearing_of(to_ned(s.own, *s.flight.home - s.own.position)))
+                       : kNoValue;
+          }),
     number("rank", "", "own, among the members believed alive; 1 leads",
            [](const State& s) { return double(s.rank); }),
     number("alive", "", "members of the flight believed alive, the pilot included",
@@ -163,11 +162,11 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            of_lead([](const State& s, const team::Leader& l) { return to_place(s, l).y; })),
     number("place_above", "m", "likewise up",
            of_lead([](const State& s, const team::Leader& l) { return -to_place(s, l).z; })),
-    number("lead_course", "rad",
-           "of who is followed, from the own heading, in (-180°, 180°], positive right",
-           of_lead([](const State& s, const team::Leader& l) {
-             return right_of_nose(s, s.forward_of(l));
-           })),
+    angle("lead_course",
+          "of who is followed, from the own heading, in (-180°, 180°], positive right",
+          of_lead([](const State& s, const team::Leader& l) {
+            return right_of_nose(s, s.forward_of(l));
+          })),
     number("lead_speed", "m/s", "of who is followed, over the ground",
            of_lead([](const State&, const team::Leader& l) { return norm(l.velocity); })),
     number("tracks", "", "that this pilot knows",
@@ -184,13 +183,13 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            of_target([](const State&, const Seen& t) { return t.range; })),
     number("closing", "m/s", "of the chosen target, positive if the range shrinks",
            of_target([](const State& s, const Seen& t) { return s.closing_on(t); })),
-    number("off_nose", "rad",
-           "between the nose and the chosen target, up and down too: without a side, in [0, 180°]",
-           of_target([](const State& s, const Seen& t) { return s.off_nose(t.ned); })),
-    number("off_tail", "rad", "of the chosen target, in [0, 180°]: 0 right behind him",
-           of_target([](const State& s, const Seen& t) { return angles_of(s, t).off_tail; })),
-    number("crossing", "rad", "of the chosen target's path and the own one, in [0, 180°]",
-           of_target([](const State& s, const Seen& t) { return angles_of(s, t).crossing; })),
+    angle("off_nose",
+          "between the nose and the chosen target, up and down too: without a side, in [0, 180°]",
+          of_target([](const State& s, const Seen& t) { return s.off_nose(t.ned); })),
+    angle("off_tail", "of the chosen target, in [0, 180°]: 0 right behind him",
+          of_target([](const State& s, const Seen& t) { return angles_of(s, t).off_tail; })),
+    angle("crossing", "of the chosen target's path and the own one, in [0, 180°]",
+          of_target([](const State& s, const Seen& t) { return angles_of(s, t).crossing; })),
     number("unseen", "s", "since an own eye saw the chosen target; none did: infinite",
            of_target([](const State& s, const Seen& t) {
              const double seen = t.track->seen_time;
@@ -206,33 +205,32 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            of_target([](const State& s, const Seen& t) { return altitude_of(s.own, t.ned); })),
     number("target_speed", "m/s", "of the chosen target, over the ground",
            of_target([](const State& s, const Seen& t) { return norm(s.velocity_of(t)); })),
-    number("target_climb", "rad", "of the chosen target's path above the horizon",
-           of_target([](const State& s, const Seen& t) { return elevation_of(s.velocity_of(t)); })),
-    number("target_course", "rad",
-           "of the chosen target from the own heading, in (-180°, 180°], positive right",
-           of_target([](const State& s, const Seen& t) {
-             return right_of_nose(s, bearing_of(s.velocity_of(t)));
-           })),
-    number("target_aspect", "rad",
-           "of this aircraft from the chosen target's course, in (-180°, 180°], positive on his "
-           "right: 0 in front of him",
-           of_target([](const State& s, const Seen& t) {
-             return angle_between(bearing_of(s.velocity_of(t)), bearing_of(-t.ned));
-           })),
-    number("target_right", "rad",
-           "the chosen target off the own heading along the horizon, in (-180°, 180°], positive "
-           "right",
-           of_target(
-               [](const State& s, const Seen& t) { return right_of_nose(s, bearing_of(t.ned)); })),
-    number("target_up", "rad", "the chosen target above the horizon",
-           of_target([](const State&, const Seen& t) { return elevation_of(t.ned); })),
-    number("target_azimuth", "rad",
-           "the chosen target off the nose in the plane of the wings, in (-180°, 180°], positive "
-           "right",
-           of_target([](const State& s, const Seen& t) { return in_body(s, t.ned).azimuth; })),
-    number("target_elevation", "rad",
-           "the chosen target out of the plane of the wings, positive up",
-           of_target([](const State& s, const Seen& t) { return in_body(s, t.ned).elevation; })),
+    angle("target_climb", "of the chosen target's path above the horizon",
+          of_target([](const State& s, const Seen& t) { return elevation_of(s.velocity_of(t)); })),
+    angle("target_course",
+          "of the chosen target from the own heading, in (-180°, 180°], positive right",
+          of_target([](const State& s, const Seen& t) {
+            return right_of_nose(s, bearing_of(s.velocity_of(t)));
+          })),
+    angle("target_aspect",
+          "of this aircraft from the chosen target's course, in (-180°, 180°], positive on his "
+          "right: 0 in front of him",
+          of_target([](const State& s, const Seen& t) {
+            return angle_between(bearing_of(s.velocity_of(t)), bearing_of(-t.ned));
+          })),
+    angle("target_right",
+          "the chosen target off the own heading along the horizon, in (-180°, 180°], positive "
+          "right",
+          of_target(
+              [](const State& s, const Seen& t) { return right_of_nose(s, bearing_of(t.ned)); })),
+    angle("target_up", "the chosen target above the horizon",
+          of_target([](const State&, const Seen& t) { return elevation_of(t.ned); })),
+    angle("target_azimuth",
+          "the chosen target off the nose in the plane of the wings, in (-180°, 180°], positive "
+          "right",
+          of_target([](const State& s, const Seen& t) { return in_body(s, t.ned).azimuth; })),
+    angle("target_elevation", "the chosen target out of the plane of the wings, positive up",
+          of_target([](const State& s, const Seen& t) { return in_body(s, t.ned).elevation; })),
     number("drift_right", "rad/s", "at which the line of sight to the chosen target turns right",
            of_target([](const State& s, const Seen& t) { return drift(s, t).right; })),
     number("drift_up", "rad/s", "at which it turns up",
@@ -262,10 +260,10 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            })),
     flag("supporting", "an own missile on its way needs the radar",
          [](const State& s) -> double { return support_needed(s); }),
-    number("gun_azimuth", "rad", "where to aim the gun at the chosen target, as target_azimuth",
-           of_sight([](const State& s, const Sight& g) { return in_body(s, g.aim).azimuth; })),
-    number("gun_elevation", "rad", "likewise as target_elevation",
-           of_sight([](const State& s, const Sight& g) { return in_body(s, g.aim).elevation; })),
+    angle("gun_azimuth", "where to aim the gun at the chosen target, as target_azimuth",
+          of_sight([](const State& s, const Sight& g) { return in_body(s, g.aim).azimuth; })),
+    angle("gun_elevation", "likewise as target_elevation",
+          of_sight([](const State& s, const Sight& g) { return in_body(s, g.aim).elevation; })),
     number("over_gun_range", "",
            "range of the chosen target over the farthest that the gun is good for",
            of_sight([](const State& s, const Sight& g) {
@@ -278,22 +276,22 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
          [](const State& s) -> double { return s.threats.count > 0; }),
     number("missiles_inbound", "", "believed to come for this aircraft",
            [](const State& s) { return double(s.threats.count); }),
-    number("missile_right", "rad",
-           "the missile to worry about off the own heading, in (-180°, 180°], positive right",
-           of_missile([](const State& s, const model::InboundMissile& m) {
-             return right_of_nose(s, m.bearing);
-           })),
+    angle("missile_right",
+          "the missile to worry about off the own heading, in (-180°, 180°], positive right",
+          of_missile([](const State& s, const model::InboundMissile& m) {
+            return right_of_nose(s, m.bearing);
+          })),
     number("missile_time", "s", "until it is here, if that is known",
            of_missile([](const State& s, const model::InboundMissile& m) {
              return time_to_go(s, m).value_or(kNoValue);
            })),
     flag("spiked", "a radar tracks this aircraft",
          [](const State& s) -> double { return spike(s) != nullptr; }),
-    number("spike_right", "rad", "that radar off the own heading, in (-180°, 180°], positive right",
-           [](const State& s) {
-             const model::RwrWarning* warning = spike(s);
-             return warning ? right_of_nose(s, warning->bearing) : kNoValue;
-           }),
+    angle("spike_right", "that radar off the own heading, in (-180°, 180°], positive right",
+          [](const State& s) {
+            const model::RwrWarning* warning = spike(s);
+            return warning ? right_of_nose(s, warning->bearing) : kNoValue;
+          }),
     number("missile_range", "m", "to the missile to worry about, if its range is known",
            of_missile([](const State&, const model::InboundMissile& m) {
              return m.has_position ? m.range : kNoValue;

@@ -287,9 +287,20 @@ class Parser {
       return std::nullopt;
     }
     const Parsed parsed = parse_quantity(other.text, f.unit.dimension);
-    if (parsed)
-      return Operand{.field = Operand::kNumber, .number = parsed.value};
-    return none(other.at, "{}: {}", field.text, parsed.error);
+    if (!parsed)
+      return none(other.at, "{}: {}", field.text, parsed.error);
+    if (const double x = parsed.value; x < f.limits.min || x > f.limits.max)
+      return none(other.at, "{} is from {} to {}, never {}{}", quote(field.text),
+                  exact_quantity(f.limits.min, f.unit.dimension),
+                  exact_quantity(f.limits.max, f.unit.dimension), other.text, turned(x, f));
+    return Operand{.field = Operand::kNumber, .number = parsed.value};
+  }
+
+  /// The same direction as the field has it.
+  static std::string turned(double x, const StateFieldInfo& field) {
+    return field.unit.dimension == Dimension::angle
+               ? fmt::format(": that is {}", exact_quantity(wrap_pi(x), Dimension::angle))
+               : std::string();
   }
 
   const Value& value_;

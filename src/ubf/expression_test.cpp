@@ -12,8 +12,8 @@ namespace eyrie::ubf::testing {
 namespace {
 
 /// What is said of an expression that starts at column 7; empty if it is good.
-std::string said_of(const std::string& text, bool quoted = false) {
-  const auto infos = state_field_infos<State>();
+std::string said_of(const std::string& text, bool quoted = false,
+                    const std::vector<StateFieldInfo>& infos = state_field_infos<State>()) {
   FieldNames names;
   Diagnostics diagnostics;
   const Location where{"t.yaml", 3, 7};
@@ -134,6 +134,16 @@ TEST(Expression, MistakesAreSaidWithTheirColumnAndTheNearestName) {
   EXPECT_EQ(said_of("1 m < 2 m"), "t.yaml:3:7: neither side is a state field");
   EXPECT_EQ(said_of(""), "t.yaml:3:7: expected a state field or a quantity, got the end");
   EXPECT_EQ(said_of(std::string(40, '(')), "t.yaml:3:40: nested more than 32 deep");
+}
+
+TEST(Expression, AsksForNoDirectionThatAFieldNeverHas) {
+  const std::vector heading{
+      FieldsOf<State>::angle("heading", "own", [](const State&) { return 0.; }).info};
+  EXPECT_EQ(said_of("heading > 270 deg", false, heading),
+            "t.yaml:3:17: 'heading' is from -180 deg to 180 deg, never 270 deg: that is -90 deg");
+  EXPECT_EQ(said_of("-3.2 rad < heading", false, heading).find("t.yaml:3:7: 'heading' is from"), 0);
+  for (const char* good : {"heading <= 180 deg", "heading > -180°", "heading == heading"})
+    EXPECT_EQ(said_of(good, false, heading), "");
 }
 
 TEST(Expression, AnyTextIsReadOrRefused) {

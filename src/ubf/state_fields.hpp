@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/units.hpp"
+#include "core/param.hpp"
 
 namespace eyrie::ubf {
 
@@ -26,6 +26,7 @@ struct StateFieldInfo {
   Unit unit;  ///< numbers
   std::string_view help;
   std::span<const std::string_view> choices = {};
+  Range limits = {};  ///< of numbers, in SI: a condition may not ask for others
 };
 
 /// A readable field of one platform's state. `read` must not allocate, throw or lock.
@@ -52,6 +53,13 @@ struct FieldsOf {
   static constexpr StateField<State> number(std::string_view name, Unit unit, std::string_view help,
                                             double (*read)(const State&)) {
     return {{.name = name, .kind = FieldKind::number, .unit = unit, .help = help}, read};
+  }
+  /// In (-180°, 180°], or a part of it.
+  static constexpr StateField<State> angle(std::string_view name, std::string_view help,
+                                           double (*read)(const State&)) {
+    StateField<State> field = number(name, "rad", help, read);
+    field.info.limits = {-kPi, kPi, true};
+    return field;
   }
   static constexpr StateField<State> flag(std::string_view name, std::string_view help,
                                           double (*read)(const State&)) {

@@ -174,7 +174,7 @@ class Inhibit final : public WithMemory<Arbiter<State, Action>, InhibitMemory> {
       return Status::failure;
     }
     if (m.blocked && !passed(t.time, m.last, hold))
-      return Status::failure;
+      return this->fails(t, "it was inhibited a moment ago");
     m = {};
     if (answer == Status::failure || out.vote == 0)
       return Status::failure;

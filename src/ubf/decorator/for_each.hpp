@@ -45,7 +45,7 @@ class ForEach final : public Decorator<State, Action> {
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     const std::size_t count = list_->count(t.state);
     if (count == 0)
-      return Status::failure;
+      return this->fails(t, "there is nothing to look at");
     State state = t.state;
     Tick<State> inner = t.in(state);
     Status status = Status::failure;

@@ -49,7 +49,7 @@ class Timeout final : public Timing<State, Action> {
     if (m.counts && this->is_over(t, after)) {
       this->halt(this->child(), t);
       m = {};
-      return Status::failure;
+      return this->fails(t, "its time is up");
     }
     const double begun = m.counts ? m.since : t.time;
     const Status answer = this->ask_child(t, out);
@@ -84,7 +84,7 @@ class Cooldown final : public Timing<State, Action> {
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
     if (m.counts && !this->is_over(t, duration))
-      return Status::failure;
+      return this->fails(t, "it ended too recently");
     const Status answer = this->ask_to_its_end(t, out);
     const bool ended = answer == Status::success || (answer == Status::failure && m.running);
     m = {};
@@ -150,7 +150,7 @@ class RateLimit final : public Timing<State, Action> {
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
     if (!m.running && m.counts && !this->is_over(t, period))
-      return Status::failure;
+      return this->fails(t, "it began too recently");
     const Status answer = this->ask_to_its_end(t, out);
     if (!m.running && answer != Status::failure)
       m = {.since = t.time, .counts = 1};

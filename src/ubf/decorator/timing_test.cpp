@@ -21,6 +21,7 @@ TEST(Timeout, FailsAndHaltsAChildThatRunsForTooLong) {
   EXPECT_EQ(robot.tick_at(11.9), kRunning);
   EXPECT_EQ(robot.out.action.heading, 1);
   EXPECT_EQ(robot.tick_at(12), kFailure);
+  EXPECT_STREQ(robot.trace.why(0), "its time is up");
   EXPECT_TRUE(robot.out.is_empty());
   EXPECT_FALSE(robot.asked_now("root/probe"));
   EXPECT_EQ(robot.halts("root/probe"), 1);
@@ -81,6 +82,7 @@ TEST(Cooldown, KeepsAChildThatSucceededFromStartingAgain) {
   EXPECT_EQ(robot.tick_at(10), kSuccess);
   EXPECT_EQ(robot.out.action.release, 1u) << "the tick in which the child ends still counts";
   EXPECT_EQ(robot.tick_at(12.9), kFailure);
+  EXPECT_STREQ(robot.trace.why(0), "it ended too recently");
   EXPECT_TRUE(robot.out.is_empty());
   EXPECT_FALSE(robot.asked_now("root/probe"));
   EXPECT_EQ(robot.tick_at(13), kSuccess);
