@@ -51,8 +51,8 @@ double over(double range, double reach) {
 /// m, from here to the own place in the formation, ahead and to the right along the own heading,
 /// level, and down.
 Vec3 to_place(const State& s, const team::Leader& lead) {
-  const auto turned = [](const Vec3& v, double angle) {
-    const auto [sine, cosine] = math::sin_cos(angle);
+  const auto turned = [](const Vec3& v, double by) {
+    const auto [sine, cosine] = math::sin_cos(by);
     return Vec3{cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
   };
   const Vec3 ned =
