@@ -136,6 +136,10 @@ test('what an address became on the ways back and forward is read, and nothing i
   const first = address.read(other);
   location.hash = await link_of(small);
   assert.deepEqual(await Promise.all([first, address.read(other)]), [null, small]);
+  location.hash = await link_of(other);
+  address.pass_over();
+  await address.write({ ...small });
+  assert.equal(location.hash, await link_of(small));
 });
 
 test('a mistake is marked where it is, behind characters of two units too', () => {

@@ -253,6 +253,7 @@ TEST(Inhibit, GoesOnForTheHold) {
   EXPECT_EQ(robot.tick_at(10), kFailure);
   robot.say(0, kFailure);
   EXPECT_EQ(robot.tick_at(11.9), kFailure);
+  EXPECT_STREQ(robot.trace.why(0), "it was inhibited a moment ago");
   EXPECT_EQ(robot.tick_at(12), kRunning);
 }
 

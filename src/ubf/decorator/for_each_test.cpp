@@ -48,6 +48,12 @@ Robot looking_at(std::vector<double> things, Choose choose) {
   return robot;
 }
 
+TEST(ForEach, SaysThatThereIsNothing) {
+  Robot robot = looking_at({}, Choose::strongest);
+  EXPECT_EQ(robot.tick(), kFailure);
+  EXPECT_STREQ(robot.trace.why(0), "there is nothing to look at");
+}
+
 TEST(ForEach, TakesTheHighestVoteOfAllThings) {
   Robot robot = looking_at({20, 50, 200, 50}, Choose::strongest);
   EXPECT_EQ(robot.tick(), kRunning);

@@ -206,6 +206,7 @@ TEST(RateLimit, LetsItsChildBeginOncePerPeriod) {
   EXPECT_EQ(robot.tick_at(10), kSuccess);
   EXPECT_EQ(robot.out.action.release, 1u);
   EXPECT_EQ(robot.tick_at(10.1), kFailure);
+  EXPECT_STREQ(robot.trace.why(0), "it began too recently");
   EXPECT_TRUE(robot.out.is_empty());
   EXPECT_FALSE(robot.asked_now("root/probe"));
   EXPECT_EQ(robot.tick_at(11.9), kFailure);

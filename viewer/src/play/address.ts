@@ -57,6 +57,10 @@ export class Address {
     }
     return text === this.text ? read : null;
   }
+  /** What somebody made of it is not to be read: it is written over. */
+  pass_over(): void {
+    this.text = said();
+  }
   /** False: it cannot hold that much. */
   async write(project: Project): Promise<boolean> {
     if (this.reading) return true;

@@ -243,7 +243,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     });
     void restore();
     listen(window, {
-      hashchange: () => host.hidden || void restore(),
+      hashchange: () => (host.hidden ? address.pass_over() : void restore()),
       beforeunload: (event) => {
         if (!address.holds(now.current.project)) event.preventDefault();
       },
