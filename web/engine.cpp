@@ -137,15 +137,29 @@ About Engine::about(const scenario::Scenario& scenario, std::uint64_t seed, doub
   return about;
 }
 
-Flown Engine::fly(const Until& until) {
+scenario::Mission& Engine::mission() const {
   if (!flight_)
     throw BadRequest("nothing was loaded that could be flown");
-  scenario::Mission& mission = flight_->mission;
+  return flight_->mission;
+}
+
+Flown Engine::fly(const Until& until) {
+  scenario::Mission& flown = mission();
   bool over = false;
-  while (!over && (!until.until || mission.run().time() < *until.until)) {
-    over = !mission.step();
-    tell(mission.run().world(), mission.run().simulation().dt());
+  while (!over && (!until.until || flown.run().time() < *until.until)) {
+    over = !flown.step();
+    tell(flown.run().world(), flown.run().simulation().dt());
   }
+  return flown_so_far(over);
+}
+
+Flown Engine::end_flight(const Nothing&) {
+  mission().stop();
+  return flown_so_far(true);
+}
+
+Flown Engine::flown_so_far(bool over) {
+  scenario::Mission& mission = flight_->mission;
   Flown flown{mission.run().time(),
               hash_text(mission.run().world().hash()),
               {},

@@ -26,6 +26,7 @@ class Engine {
   [[nodiscard]] Problems validate(const Texts& texts) const;
   About load(const Load& load);
   Flown fly(const Until& until);
+  Flown end_flight(const Nothing& = {});
   Nothing run_file(const Nothing&, std::string& bytes);
   About open(std::string_view run_file);
   /// The run once more from its start on, every hash compared with the recorded ones: as far as it
@@ -43,6 +44,10 @@ class Engine {
   [[nodiscard]] debrief::Outcome branch(const Otherwise& otherwise, std::string& packed) const;
 
  private:
+  /// What is being flown.
+  [[nodiscard]] scenario::Mission& mission() const;
+  /// Becomes a run if it is over.
+  Flown flown_so_far(bool over);
   [[nodiscard]] const debrief::Recorded& run() const;
   /// The same, with a trail up to where it is.
   [[nodiscard]] const debrief::Recorded& run_with_trail();

@@ -98,6 +98,21 @@ TEST(WebEngine, OpensTheRunFileThatItWroteAndVerifiesIt) {
   EXPECT_THROW(second.open(damaged), BadRequest);
 }
 
+TEST(WebEngine, EndsAFlightAsARunThatWasStopped) {
+  Engine engine;
+  engine.load({.texts = texts_of(test::kSmallScenario), .seed = "7"});
+  const Flown half = engine.fly({.until = 1.0});
+  const Flown ended = engine.end_flight();
+  EXPECT_EQ(ended.result.value().outcome, "stopped");
+  EXPECT_EQ(ended.hash, half.hash);
+  Engine other;
+  EXPECT_EQ(other.open(file_of(engine)).until, 1.0);
+  std::string packed;
+  EXPECT_EQ(other.page({}, packed).hash, half.hash);
+  EXPECT_EQ(other.outcome().outcome, "stopped");
+  EXPECT_THROW(engine.end_flight(), BadRequest);
+}
+
 TEST(WebEngine, GoesToAnyStepForthAndBack) {
   Engine engine = flown();
   const Moment late = engine.seek({.step = 97});

@@ -29,6 +29,8 @@ inline constexpr std::tuple kQuestions{
         "load", "Reads a scenario; fly() begins at its start."},
     Question<Until, Flown, Bytes::none, &Engine::fly>{
         "fly", "On with what was loaded; when it is over it has become a run."},
+    Question<Nothing, Flown, Bytes::none, &Engine::end_flight>{
+        "end_flight", "Ends what was loaded where it is, as a run that was stopped."},
     Question<Nothing, Nothing, Bytes::answered, &Engine::run_file>{
         "run_file", "The run file of what was flown to its end, or so far."},
     Question<Nothing, About, Bytes::asked, &Engine::open>{"open", "Opens a run file."},

@@ -243,6 +243,7 @@ class Writer final : public Packer {
             {"help", scenario_.spec.help_text},
             {"file", facts.file},
             {"seed", std::to_string(facts.seed)},
+            {"sets", scenario_.sets},
             {"hash", hash_text(facts.hash)},
             {"build", facts.build},
             {"steps", facts.steps},

@@ -26,6 +26,23 @@ constexpr std::size_t kMostModels = 200;
 
 }  // namespace
 
+std::string_view model_in(const Value& document) {
+  if (document.find("eyrie") || document.find("extends"))
+    return "";
+  std::string_view found;
+  auto most = static_cast<std::ptrdiff_t>(document.entries.size() / 2);
+  each_kind_of_model([&]<class Model>(const KindOfModel<Model>& kind) {
+    const auto known = std::ranges::count_if(document.entries, [](const Value::Entry& e) {
+      return e.key == "base" || e.key == "source" || description_of<Model>().find(e.key);
+    });
+    if (known > most) {
+      most = known;
+      found = kind.singular;
+    }
+  });
+  return found;
+}
+
 Location place_in_data(const Value& document, std::string_view kind, std::string_view model,
                        std::string_view parameter) {
   const Value* found = document.find("data");

@@ -38,6 +38,9 @@ constexpr void each_kind_of_model(Visit visit) {
   std::apply([&](const auto&... kind) { (visit(kind), ...); }, kKindsOfModels);
 }
 
+/// What a document that is no scenario describes by its words, such as "aircraft"; "" if nothing.
+[[nodiscard]] std::string_view model_in(const Value& document);
+
 /// Where a model in a scenario's own data says something; else where its rates stand.
 [[nodiscard]] Location place_in_data(const Value& document, std::string_view kind,
                                      std::string_view model, std::string_view parameter);

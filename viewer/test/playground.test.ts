@@ -211,6 +211,29 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
     });
 
+    test('what is stopped is kept, and can be debriefed', async () => {
+      const { page: other, complaints } = await open(browser);
+      try {
+        await other.evaluate(() => new Promise<void>((done) => {
+          const click = (): void => document.querySelector<HTMLButtonElement>('.top .fly')!.click();
+          const look = (): void => {
+            if (!document.querySelector('.last .progress')) return void requestAnimationFrame(look);
+            click();
+            done();
+          };
+          click();
+          look();
+        }));
+        await other.waitForSelector('.last[data-outcome=stopped]');
+        await other.click('.does .fly');
+        await other.waitForSelector('body[data-ready=true]');
+        assert.equal(await other.evaluate(() => window.eyrie!.run.about.hash), await other.$eval('.last', (last) => last.getAttribute('data-hash')));
+        assert.deepEqual(complaints, []);
+      } finally {
+        await other.close();
+      }
+    });
+
     test('on the ways back and forward the editor has what the address says', async () => {
       const { page: other, complaints } = await open(browser);
       const shows = (words: string, shown: boolean) => other.waitForFunction(([wanted, is_there]) =>

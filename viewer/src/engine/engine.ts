@@ -18,7 +18,7 @@ interface Asked {
   failed(error: EngineError): void;
 }
 /** What makes an engine what it is; the run that it has begins with one of the second ones. */
-const kMakes = ['take_zones', 'open', 'load', 'fly', 'page'];
+const kMakes = ['take_zones', 'open', 'load', 'fly', 'end_flight', 'page'];
 const kBegins = ['open', 'load'];
 
 /** An engine of its own; `progress` is told s of simulated time during long answers. */

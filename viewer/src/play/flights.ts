@@ -23,15 +23,17 @@ export interface Flight {
 }
 
 /** s of simulated time between two looks at a flight. */
-const kSlice = 30;
+const kSlice = 10;
 
 export class Flier {
   private engine: Promise<RunningEngine> | null = null;
   private count = 0;
+  private flies = false;
+  private is_to_end = false;
 
   constructor(private readonly module: WebAssembly.Module) {}
 
-  /** Flies to the end, telling how far it is. Rejected with the EngineError of the loader, or when it is stopped. */
+  /** Flies until it is over or stopped, telling how far it is. Rejected with the EngineError of the loader, or when it is stopped before it flies. */
   async fly(project: Project, told: (flight: Flight) => void): Promise<Flight> {
     const engine = await (this.engine ??= started(this.module));
     const { scenario, seed } = project;
@@ -41,21 +43,27 @@ export class Flier {
       time: 0, until: about.until ?? 0, took: 0, story: [], hash: '',
     };
     const began = performance.now();
-    for (let until = kSlice; !flight.outcome; until += kSlice) {
-      told(flight);
-      const flown: Flown = await engine.fly({ until });
-      flight = {
-        ...flight, time: flown.time ?? 0, took: performance.now() - began, hash: flown.hash, story: [...flight.story, ...flown.story],
-        ...(flown.result && { outcome: flown.result }),
-      };
+    [this.flies, this.is_to_end] = [true, false];
+    try {
+      for (let until = kSlice; !flight.outcome; until += kSlice) {
+        told(flight);
+        const flown: Flown = await (this.is_to_end ? engine.end_flight({}) : engine.fly({ until }));
+        flight = {
+          ...flight, time: flown.time ?? 0, took: performance.now() - began, hash: flown.hash, story: [...flight.story, ...flown.story],
+          ...(flown.result && { outcome: flown.result }),
+        };
+      }
+    } finally {
+      this.flies = false;
     }
     this.count = flight.number;
     flight.file = (await engine.run_file()).bytes;
     return flight;
   }
 
-  /** Gives up what is being flown. */
+  /** Ends what is flying where it is, which is a run as others are; gives up what is being loaded, or does not end. */
   async stop(): Promise<void> {
+    if (this.flies && !this.is_to_end) return void (this.is_to_end = true);
     const { engine } = this;
     this.engine = null;
     (await engine)?.end();

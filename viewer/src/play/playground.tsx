@@ -294,7 +294,8 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
           onClick={() => put_seed(String(1 + Math.floor(Math.random() * 999)))}>⚄</button>
         {/* who clicks twice on Fly does not mean Stop, which is there by then */}
         {flying || busy === 'Loading'
-          ? <button type="button" class="fly" onClick={({ detail }) => detail > 1 || void flier.stop()}>Stop</button>
+          ? <button type="button" class="fly" title="End it here: what was flown so far is kept"
+              onClick={({ detail }) => detail > 1 || void flier.stop()}>Stop</button>
           : <button type="button" class="fly" disabled={wrong || busy !== ''} title={why_wrong || 'Fly it to its end (Ctrl Enter)'}
               onClick={() => void fly(false)}>Fly</button>}
         <button type="button" disabled={wrong || flying !== null || busy !== ''} title="Fly it and watch it from the start" onClick={() => void fly(true)}>Watch</button>

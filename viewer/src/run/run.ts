@@ -192,6 +192,7 @@ export interface Run {
     help: string;
     file: string;
     seed: string;
+    sets: string[];  // Overrides, as given.
     hash: string;  // World hash at the end.
     build: string;
     steps: number;

@@ -15,12 +15,15 @@ import { copy_text } from './what_if.tsx';
 
 function About({ page: { run, letter, live, twin } }: { page: Page }) {
   const { about } = run;
-  const is_namesake = about.scenario === twin?.run.about.scenario;
+  const other = twin?.run.about;
+  const is_namesake = about.scenario === other?.scenario;
+  const own = is_namesake ? about.sets.filter((set) => !other?.sets.includes(set)).join(', ') : '';
   const decisions = run.players.reduce((sum, player) => sum + player.decisions.t.length, 0);
   const verified = run.engine && !run.is_part && !live ? `✓ same bits${run.verified ? ' as in the results' : ''}` : '';
   const why = `Flown again in this page: ${run.verified ?? 'every hash is the one that was recorded'}`;
   const facts: [string, string][] = [
-    ['file', about.file], ['seed', about.seed], ['outcome', outcome_text(about.outcome)], ['duration', clock_text(about.duration)],
+    ['file', about.file], ['seed', about.seed], ...(about.sets.length ? [['set', about.sets.join(', ')] as [string, string]] : []),
+    ['outcome', outcome_text(about.outcome)], ['duration', clock_text(about.duration)],
     ['steps', `${count_text(about.steps)} of ${number_text(about.dt, 4)} s`],
     ['decisions', `${count_text(decisions)}, one each ${number_text(about.decision_period, 3)} s${about.thinned ? ', thinned' : ''}`],
     ['hash', about.hash], ['program', about.build], ...(verified ? [['bits', `${verified}. ${why}`] as [string, string]] : []),
@@ -28,7 +31,7 @@ function About({ page: { run, letter, live, twin } }: { page: Page }) {
   return (
     <details class="menu about">
       <summary title="About the run">
-        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b>{is_namesake && <span>seed {about.seed}</span>}<span class="dim">{outcome_text(about.outcome)}</span>
+        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b>{is_namesake && <span>seed {about.seed}</span>}{own && <span class="own" title={own}>{own}</span>}<span class="dim">{outcome_text(about.outcome)}</span>
         {run.is_part && <span class="verified" role="status">flying it again …</span>}
         {verified && <span class="verified" title={why}>{verified}</span>}
       </summary>
