@@ -89,11 +89,9 @@ std::vector<Way> ways_to_draw(const CampaignReportOptions& options, const Summar
 std::string page_data(const std::string& folder, const Summary& summary,
                       const std::vector<Comparison>& comparisons, const std::vector<Way>& ways,
                       const std::string& no_debrief) {
-  Json json{{"name", summary.name},
-            {"scenario", summary.scenario},
-            {"hash", summary.hash},
-            {"factors", summary.factors},
-            {"debrief", no_debrief}};  // why none can be flown
+  Json json{{"name", summary.name},     {"scenario", summary.scenario},
+            {"hash", summary.hash},     {"factors", summary.factors},
+            {"paired", summary.paired}, {"debrief", no_debrief}};  // why none can be flown
   for (const char* list : {"measures", "cells", "comparisons", "effects", "interactions", "faults"})
     json[list] = Json::array();
   for (std::size_t i = 0; i < summary.measures.size(); ++i) {
@@ -119,6 +117,7 @@ std::string page_data(const std::string& folder, const Summary& summary,
                                    {"than", c.than},
                                    {"measure", c.measure},
                                    {"n", c.n},
+                                   {"n_than", summary.paired ? c.n : c.n_than},
                                    {"value", c.value},
                                    {"interval", interval_json(c.interval)},
                                    {"p", c.p},

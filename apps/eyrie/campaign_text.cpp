@@ -64,16 +64,19 @@ void print_comparisons(const campaign::Summary& summary,
     return;
   std::vector<campaign::Comparison> surest = comparisons;
   std::ranges::stable_sort(surest, {}, &campaign::Comparison::holm);
-  std::vector<std::vector<std::string>> rows{
-      {"measure", "cell", "less cell", "difference", "pairs", "p", "p (Holm)"}};
+  std::vector<std::vector<std::string>> rows{{"measure", "cell", "less cell", "difference",
+                                              summary.paired ? "pairs" : "replicates", "p",
+                                              "p (Holm)"}};
   for (std::size_t i = 0; i < std::min(surest.size(), most); ++i) {
     const auto& c = surest[i];
-    rows.push_back(
-        {summary.measures[c.measure].name, std::to_string(c.cell), std::to_string(c.than),
-         estimate_text({c.n, c.value, c.interval}, summary.measures[c.measure].kind),
-         std::to_string(c.n), fmt::format("{:.2g}", c.p), fmt::format("{:.2g}", c.holm)});
+    rows.push_back({summary.measures[c.measure].name, std::to_string(c.cell),
+                    std::to_string(c.than),
+                    estimate_text({c.n, c.value, c.interval}, summary.measures[c.measure].kind),
+                    summary.paired ? std::to_string(c.n) : fmt::format("{} and {}", c.n, c.n_than),
+                    fmt::format("{:.2g}", c.p), fmt::format("{:.2g}", c.holm)});
   }
-  say("\ncells against each other, replicate by replicate, the surest first\n");
+  say("\ncells against each other, {}, the surest first\n",
+      summary.paired ? "replicate by replicate" : "of other seeds");
   print_table(rows);
   if (surest.size() > most)
     say("... and {}\n", counted(surest.size() - most, "more comparison"));

@@ -160,10 +160,13 @@ Located locate(const std::string& name, const std::vector<std::string>& includes
     if (!fs::is_directory(folder, ignored))
       refuse("eyrie: --allow-include {}: there is no such folder", quote_path(folder));
   const std::string file = scenario_file(name);
+  const auto is_run = [&](const fs::path& path) {
+    return path.filename() == record::kRunFileName && fs::is_regular_file(path, ignored);
+  };
+  if (is_run(file) || is_run(fs::path(file) / record::kRunFileName))
+    refuse_at(where, quote(name) + " is a run, no scenario: 'eyrie replay' flies it again");
   if (fs::is_regular_file(file, ignored))
     return {file, scenario::Source::disk(there, includes)};
-  if (fs::exists(fs::path(file) / record::kRunFileName, ignored))
-    refuse_at(where, quote(name) + " is a run, no scenario: 'eyrie replay' flies it again");
   if (const disk::FileRead read = disk::read_file(file, scenario::Source::kLargest); !read.missing)
     refuse_at(where, fmt::format("{} {}", quote_path(name), read.problem));
   std::string meant = did_you_mean(fs::path(name).stem().string(), names_in("scenarios"));

@@ -12,6 +12,7 @@
 #include "disk/output.hpp"
 #include "disk/sink.hpp"
 #include "locate.hpp"
+#include "pilot/state.hpp"
 #include "say.hpp"
 #include "scenario/plugins.hpp"
 
@@ -64,6 +65,9 @@ std::string name_problem(const std::string& name) {
   const scenario::Plugins none;
   if (const auto* there = none.registries().pilots.find(name))
     return fmt::format("there is already a node {} (of {})", quote(name), there->origin);
+  for (const auto& field : ubf::StateFields<pilot::State>::all())
+    if (field.info.name == name)
+      return fmt::format("{} is what a state says; perhaps '{}_it'?", quote(name), name);
   std::error_code ignored;
   if (fs::exists(fs::symlink_status(name, ignored)))
     return fmt::format("{} exists already; nothing was written", quote(name));

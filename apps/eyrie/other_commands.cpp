@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file  validate, catalog and --version.
+#include <set>
+
 #include "campaign/whole_scenario.hpp"
 #include "command.hpp"
 #include "commands.hpp"
@@ -52,10 +54,14 @@ int validate(const ValidateOptions& options) {
       return 0;
     }
     const auto scenario = scenario::load(request, source);
+    std::set<std::string_view> trees;  // one may serve pilots and drivers
+    for (const auto& fleet : scenario->fleets)
+      for (const ubf::AnyTree* tree : fleet->trees)
+        trees.insert(tree->name());
     if (options.print)
       say("{}", lines(campaign::whole_scenario(file, {}, source)));
     else
-      say("{}: {}, {}\n", file, players_text(*scenario), counted(scenario->tree_count(), "tree"));
+      say("{}: {}, {}\n", file, players_text(*scenario), counted(trees.size(), "tree"));
     return 0;
   };
   int code = 0;

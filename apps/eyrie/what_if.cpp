@@ -113,18 +113,39 @@ Json over_seeds(const debrief::Recorded& recorded,
     const std::uint64_t pairs = figure.difference.n();  // of seeds without a fault
     if (pairs == 0)
       break;
-    const Json error = pairs < 2 ? Json() : Json(figure.difference.error());  // of one: unknown
+    const double error_of = figure.difference.error(), mean = figure.difference.mean();
+    const double difference = std::abs(mean) > 1e-12 * error_of ? mean : 0;  // more than rounding
+    const Json error = pairs < 2 ? Json() : Json(error_of);                  // of one: unknown
     if (!quiet)
       say("  {:<12} {:>8.2f} -> {:>8.2f}   {:+.2f} ± {}\n", figure.name, figure.flown.mean(),
-          figure.other.mean(), figure.difference.mean(),
-          error.is_null() ? "-" : fmt::format("{:.2f}", figure.difference.error()));
+          figure.other.mean(), difference, error.is_null() ? "-" : fmt::format("{:.2f}", error_of));
     all.push_back({{"name", figure.name},
                    {"flown", figure.flown.mean()},
                    {"other", figure.other.mean()},
-                   {"difference", figure.difference.mean()},
+                   {"difference", difference},
                    {"standard_error", error}});
   }
   return {{"seeds", flown}, {"faults", faults}, {"figures", all}};
+}
+
+struct First {
+  PlayerId who;
+  debrief::Otherwise decision;
+};
+/// Of all who would have decided otherwise the first: a tree is often flown by others, too, and
+/// what is flown on from there is the run that the change makes.
+std::optional<First> first_of_all(const debrief::Recorded& recorded,
+                                  const scenario::Scenario& other, PlayerId asked,
+                                  const std::optional<debrief::Otherwise>& own, double from) {
+  std::optional<First> first;
+  if (own)
+    first = {asked, *own};
+  for (PlayerId who{1}; recorded.scenario->roster.find(who); ++who.value)
+    if (who != asked)
+      if (const auto found = debrief::what_if(recorded, other, who, from).first;
+          found && (!first || found->step < first->decision.step))
+        first = {who, *found};
+  return first;
 }
 
 /// The part of a scenario that an override goes to: "trees" of "trees.bvr.top=2".
@@ -229,15 +250,25 @@ int what_if(const WhatIfOptions& options) {
     flown = debrief::outcome_of(recorded);
     until = debrief::limit_of(recorded, *flown);
   }
-  if (options.branch && result.first) {
+  const auto first =
+      options.branch ? first_of_all(recorded, *other, who, result.first, from) : std::nullopt;
+  if (first) {
     std::string problem;
     const auto branched = debrief::branch(
-        recorded, other, debrief::past_at(recorded, result.first->step), until, problem);
+        recorded, other, debrief::past_at(recorded, first->decision.step), until, problem);
     if (!branched)
       refuse("--branch: {}", problem);
     const debrief::Outcome ended = branched->fly();
-    json["branch"] = {{"flown", outcome_json(*flown)}, {"other", outcome_json(ended)}};
+    const std::string& name = recorded.scenario->roster.name(first->who);
+    json["branch"] = {{"player", name},
+                      {"step", first->decision.step},
+                      {"time_s", first->decision.time},
+                      {"flown", outcome_json(*flown)},
+                      {"other", outcome_json(ended)}};
     if (!options.json) {
+      if (first->who != who)
+        say("flown on from {} (step {}), where {} is the first to decide otherwise\n",
+            record::clock_text(first->decision.time), first->decision.step, name);
       print_outcome_head();
       print_outcome("flown", *flown);
       print_outcome("otherwise", ended);

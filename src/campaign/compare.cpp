@@ -38,6 +38,71 @@ struct Pairs {
   std::array<stats::Ratio, 2> ratios{};                  // of both cells
 };
 
+/// A measure of a cell by itself.
+struct Alone {
+  stats::Moments numbers{};  // of a ratio: of its linearization
+  stats::Share share{};
+  stats::Ratio ratio{};
+};
+
+bool is_known(const Measure& m, std::span<const double> values) {
+  return !std::isnan(values[m.column]) && (m.kind != Measure::ratio || !std::isnan(values[m.per]));
+}
+/// A replicate's part in a ratio, in the difference of which it stands for itself.
+double part_of(const stats::Ratio& ratio, const Measure& m, std::span<const double> values) {
+  const double value = *ratio.value();
+  return value + (values[m.column] - value * values[m.per]) / ratio.under().mean();
+}
+
+/// Every measure of a cell, faults left out.
+std::vector<Alone> alone(Database& database, const std::vector<Measure>& measures, std::size_t cell,
+                         double confidence) {
+  std::vector<Alone> all(measures.size());
+  const auto each = [&](const auto& use) {
+    Statement replicates = database.prepare(
+        "SELECT * FROM replicates WHERE cell = ? AND outcome <> 'fault' ORDER BY replicate");
+    replicates.with(cell);
+    std::vector<double> values;
+    while (replicates.step()) {
+      values.clear();
+      for (int i = kFirstColumn; i < replicates.columns(); ++i)
+        values.push_back(replicates.number(i));
+      for (std::size_t i = 0; i < measures.size(); ++i)
+        if (is_known(measures[i], values))
+          use(measures[i], all[i], values);
+    }
+  };
+  each([](const Measure& m, Alone& of, std::span<const double> values) {
+    if (m.kind == Measure::ratio)
+      return of.ratio.add(values[m.column], values[m.per]);
+    of.numbers.add(values[m.column]);
+    of.share = {of.share.count + (values[m.column] != 0), of.share.n + 1};
+  });
+  each([&](const Measure& m, Alone& of, std::span<const double> values) {
+    if (m.kind == Measure::ratio && of.ratio.divides(confidence))
+      of.numbers.add(part_of(of.ratio, m, values));
+  });
+  return all;
+}
+
+std::vector<Comparison> compare_alone(std::span<const Measure> measures, std::span<const Alone> one,
+                                      std::span<const Alone> other, double confidence) {
+  std::vector<Comparison> all;
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    const Alone &a = one[i], &b = other[i];
+    if (a.numbers.n() < 2 || b.numbers.n() < 2)
+      continue;
+    Comparison c{.measure = i, .n = a.numbers.n(), .n_than = b.numbers.n()};
+    const bool is_share = measures[i].kind == Measure::share;
+    c.value = a.numbers.mean() - b.numbers.mean();
+    c.interval = is_share ? stats::newcombe(a.share, b.share, confidence)
+                          : stats::welch_interval(a.numbers, b.numbers, confidence);
+    c.p = is_share ? stats::fisher(a.share, b.share) : stats::welch_test(a.numbers, b.numbers);
+    all.push_back(c);
+  }
+  return all;
+}
+
 Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double confidence) {
   c.n = pairs.differences.n();
   const double mean = pairs.differences.mean(), noise = 1e-12 * pairs.differences.error();
@@ -188,15 +253,11 @@ void subtract_chance(std::vector<Variance>& factors, bool all_crossed) {
 std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
                                       const std::function<void(const TakePair&)>& each,
                                       double confidence) {
-  const auto known = [&](const Measure& m, const std::vector<double>& values) {
-    return !std::isnan(values[m.column]) &&
-           (m.kind != Measure::ratio || !std::isnan(values[m.per]));
-  };
   std::vector<Pairs> all(measures.size());
   each([&](const auto& a, const auto& b) {
     for (std::size_t i = 0; i < measures.size(); ++i) {
       const Measure& m = measures[i];
-      if (!known(m, a) || !known(m, b))
+      if (!is_known(m, a) || !is_known(m, b))
         continue;
       Pairs& pairs = all[i];
       if (m.kind == Measure::ratio) {
@@ -222,15 +283,10 @@ std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
     each([&](const auto& a, const auto& b) {
       for (const std::size_t i : ratios) {
         const Measure& m = measures[i];
-        if (!known(m, a) || !known(m, b))
+        if (!is_known(m, a) || !is_known(m, b))
           continue;
         Pairs& pairs = all[i];
-        const auto part = [&](std::size_t side, const std::vector<double>& values) {
-          const double ratio = *pairs.ratios[side].value();
-          return ratio +
-                 (values[m.column] - ratio * values[m.per]) / pairs.ratios[side].under().mean();
-        };
-        pairs.differences.add(part(0, a) - part(1, b));
+        pairs.differences.add(part_of(pairs.ratios[0], m, a) - part_of(pairs.ratios[1], m, b));
       }
     });
   std::vector<Comparison> comparisons;
@@ -246,11 +302,19 @@ std::vector<Comparison> compare(const std::string& folder, const Summary& summar
   Database database = open_results(folder);
   std::vector<Comparison> all;
   const std::size_t n = summary.cells.size();
+  std::vector<std::vector<Alone>> cells;
+  for (std::size_t cell = 0; cell < (summary.paired ? 0 : n); ++cell)
+    cells.push_back(alone(database, summary.measures, cell, confidence));
+  const auto comparisons = [&](std::size_t cell, std::size_t than) {
+    if (!summary.paired)
+      return compare_alone(summary.measures, cells[cell], cells[than], confidence);
+    return compare_pairs(
+        summary.measures, [&](const TakePair& use) { each_pair(database, cell, than, use); },
+        confidence);
+  };
   for (std::size_t than = 0; than < (measure || n <= kAllPairs ? n : 1); ++than)
     for (std::size_t cell = than + 1; cell < n; ++cell)
-      for (Comparison& c : compare_pairs(
-               summary.measures, [&](const TakePair& use) { each_pair(database, cell, than, use); },
-               confidence))
+      for (Comparison& c : comparisons(cell, than))
         if (!measure || c.measure == *measure) {
           c.cell = cell;
           c.than = than;

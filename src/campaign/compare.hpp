@@ -5,13 +5,15 @@
 
 namespace eyrie::campaign {
 
-/// A measure of one cell less that of another, replicate by replicate: of paired seeds they share
-/// most of their noise. Shares are tested by McNemar's exact test; means and ratios by Student's, a
-/// ratio by its linearization (Cochran, Sampling Techniques, 3rd edition, 1977, 6.3). There is none
-/// of fewer than two pairs, or where what a ratio is divided by may as well be 0.
+/// A measure of one cell less that of another. Of paired seeds replicate by replicate, which share
+/// most of their noise: shares are tested by McNemar's exact test, means and ratios by Student's, a
+/// ratio by its linearization (Cochran, Sampling Techniques, 3rd edition, 1977, 6.3). Of others as
+/// what they are, independent: by Fisher's exact test and by Welch's. There is none of fewer than
+/// two replicates, or where what a ratio is divided by may as well be 0.
 struct Comparison {
   std::size_t cell = 0, than = 0, measure = 0;
-  std::uint64_t n = 0;  ///< pairs
+  std::uint64_t n = 0;       ///< pairs, or replicates of the cell
+  std::uint64_t n_than = 0;  ///< replicates of the other one if they are not paired
   double value = 0;
   std::optional<stats::Interval> interval{};  ///< nothing if it has no bounds
   double p = 1;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/draw.hpp"
+#include "core/math.hpp"
 #include "support/campaign/made_up.hpp"
 #include "support/program.hpp"
 
@@ -60,6 +61,37 @@ TEST(Compare, SubtractsWhatCellsShareReplicateByReplicate) {
     EXPECT_EQ(c.measure, 3U);
     EXPECT_NEAR(c.holm, c.cell == 2 ? 6.0 / 1024 : 1, 1e-12);
   }
+}
+
+TEST(Compare, TakesCellsOfOtherSeedsAsIndependent) {
+  const test::TempFolder folder;
+  Spec spec = test::made_up_spec();
+  spec.seeds.paired = false;
+  // what pairs by number would take for a difference without noise
+  const Summary summary = flown(folder, spec, [](std::uint64_t cell, std::uint64_t i) {
+    return cell == 2 && i % 2 ? math::kNaN : static_cast<double>(i + cell);
+  });
+  EXPECT_FALSE(summary.paired);
+  stats::Moments all, half;
+  for (int i = 0; i < 30; ++i) {
+    all.add(i);
+    if (i % 2 == 0)
+      half.add(i + 2);
+  }
+  bool found = false;
+  for (const Comparison& c : compare(folder / "out", summary)) {
+    EXPECT_EQ(c.n_than, 30U);
+    if (c.measure == 0 && c.cell == 2 && c.than == 0) {
+      found = true;
+      EXPECT_EQ(c.n, 15U);
+      EXPECT_NEAR(c.value, half.mean() - all.mean(), 1e-12);
+      EXPECT_NEAR(c.p, stats::welch_test(half, all), 1e-12);
+      EXPECT_EQ(c.interval->low, stats::welch_interval(half, all)->low);
+    } else if (c.measure == 3 && c.cell == 2 && c.than == 0) {
+      EXPECT_NEAR(c.p, stats::fisher({10, 30}, {0, 30}), 1e-12);
+    }
+  }
+  EXPECT_TRUE(found);
 }
 
 /// The summary of a full factorial of two factors with these values, the second changing fastest.

@@ -32,7 +32,7 @@ struct Design {
   static constexpr std::string_view help = "which combinations of the factors are flown";
   static constexpr std::size_t kMostCells = 100'000;
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("kind", &Design::kind, "how they are chosen").required(),
         param("cells", &Design::cells, range(1, kMostCells), "how many, if levels do not say it"),
         param("seed", &Design::seed, "of the draws")};

@@ -18,23 +18,23 @@ namespace {
 struct Between {
   static constexpr std::string_view type_name = "distribution";
   static constexpr auto params() {
-    return std::tuple{param("low", &Between::low, "least value").required(),
-                      param("high", &Between::high, "greatest value").required()};
+    return Lines{param("low", &Between::low, "least value").required(),
+                 param("high", &Between::high, "greatest value").required()};
   }
   std::string low, high;
 };
 struct Around {
   static constexpr std::string_view type_name = "distribution";
   static constexpr auto params() {
-    return std::tuple{param("mean", &Around::mean, "mean value").required(),
-                      param("deviation", &Around::deviation, "standard deviation").required()};
+    return Lines{param("mean", &Around::mean, "mean value").required(),
+                 param("deviation", &Around::deviation, "standard deviation").required()};
   }
   std::string mean, deviation;
 };
 struct Steps {
   static constexpr std::string_view type_name = "range";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("from", &Steps::from, "first value").required(),
         param("to", &Steps::to, "last value").required(),
         param("count", &Steps::count, range(2, 1000), "how many, equally far apart").required()};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "campaign/query.hpp"
 #include "core/bind.hpp"
@@ -66,6 +67,11 @@ void check(const MeasureSpec& spec, Diagnostics& diagnostics) {
                         enum_name(spec.what));
   if (std::ranges::find(spec.is, scenario::Outcome::running) != spec.is.end())
     diagnostics.error(spec.text.where_of("is"), "{}: no flight ends 'running'", spec.name);
+  if (std::ranges::find(spec.is, scenario::Outcome::fault) != spec.is.end())
+    diagnostics.error(spec.text.where_of("is"),
+                      "{}: what ends with a fault is in no measure; the report and the table "
+                      "`faults` count it",
+                      spec.name);
   if (!must.empty() && !spec.text.find(must))
     diagnostics.error(spec.text.where, "{}: {} needs '{}'", spec.name, enum_name(spec.what), must);
   else if (spec.what == What::event || spec.what == What::decision)
@@ -228,14 +234,25 @@ class Watcher final : public Watch {
   }
 
   void check_phase(const MeasureSpec& spec, Diagnostics& wrong) const {
-    std::vector<std::string> names;
+    std::vector<std::string> names, inner;
     for (const auto& fleet : scenario_.fleets)
-      for (const ubf::AnyTree* tree : fleet->trees)
+      for (const ubf::AnyTree* tree : fleet->trees) {
+        auto* of = &names;  // the first sequencer of a tree is its outermost
         for (std::size_t n = 0; n < tree->size(); ++n)
-          if (const auto& node = tree->node(static_cast<ubf::NodeIndex>(n)); node.is_sequencer())
+          if (const auto& node = tree->node(static_cast<ubf::NodeIndex>(n)); node.is_sequencer()) {
             for (const auto& child : node.children())
-              names.emplace_back(child->label());
-    if (std::ranges::find(names, spec.phase) == names.end())
+              of->emplace_back(child->label());
+            of = &inner;
+          }
+      }
+    if (std::ranges::find(names, spec.phase) != names.end())
+      return;
+    if (std::ranges::find(inner, spec.phase) != inner.end())
+      wrong.error(spec.text.where_of("phase"),
+                  "{}: {} is a phase within another one; it counts those of a flight: {}",
+                  spec.name, quote(spec.phase),
+                  fmt::join(std::set<std::string>(names.begin(), names.end()), ", "));
+    else
       wrong.error(spec.text.where_of("phase"), "{}: there is no phase {}{}", spec.name,
                   quote(spec.phase), nearest_or_all(spec.phase, names));
   }

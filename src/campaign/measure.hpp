@@ -66,17 +66,17 @@ struct MeasureSpec {
   static constexpr std::string_view help = "what is counted or measured of each flight";
   static constexpr auto params() {
     using M = MeasureSpec;
-    return std::tuple{param("what", &M::what, "what it is about").required(),
-                      param("is", &M::is, "outcomes that count").items(1, 6),
-                      param("who", &M::who, "a side, flight or player; not given: everybody"),
-                      param("whom", &M::whom, "to whom it is done, likewise"),
-                      param("phase", &M::phase, "name of a phase"),
-                      param("event", &M::event, "kind of the events"),
-                      param("node", &M::node, "label or type of the node that led the decisions"),
-                      param("if", &M::condition,
-                            "only those of which this is true; of holds: of the measures above"),
-                      param("take", &M::take, "what is made of all in one flight"),
-                      param("value", &M::value, "what is taken of each; not given: its time")};
+    return Lines{param("what", &M::what, "what it is about").required(),
+                 param("is", &M::is, "outcomes that count").items(1, 6),
+                 param("who", &M::who, "a side, flight or player; not given: everybody"),
+                 param("whom", &M::whom, "to whom it is done, likewise"),
+                 param("phase", &M::phase, "name of a phase"),
+                 param("event", &M::event, "kind of the events"),
+                 param("node", &M::node, "label or type of the node that led the decisions"),
+                 param("if", &M::condition,
+                       "only those of which this is true; of holds: of the measures above"),
+                 param("take", &M::take, "what is made of all in one flight"),
+                 param("value", &M::value, "what is taken of each; not given: its time")};
   }
   std::string name;
   Value text;  ///< where all this stands

@@ -36,13 +36,26 @@ model::EventKind kind_named(std::string_view name) {
   return model::EventKind::none;
 }
 
+/// The values of a kind of event that are numbers, or words with a number of their own.
+std::vector<std::uint8_t> own_values(model::EventKind kind) {
+  const std::span<const model::EventValue> values = model::event_values(kind);
+  std::vector<std::uint8_t> own;
+  for (std::uint8_t i = 0; i < values.size(); ++i)
+    if (!values[i].is_name())
+      own.push_back(i);
+  return own;
+}
+
 /// Its own values, the time, who's, whom's.
 std::vector<StateFieldInfo> fields_of(const MeasureSpec& spec) {
   std::vector<StateFieldInfo> fields;
   if (spec.what == What::decision)
     fields.push_back({.name = "vote", .unit = {}, .help = {}});
-  for (const model::EventValue& value : model::event_values(kind_named(spec.event)))
+  const model::EventKind kind = kind_named(spec.event);
+  for (const std::uint8_t i : own_values(kind)) {
+    const model::EventValue& value = model::event_values(kind)[i];
     fields.push_back({.name = value.name, .unit = value.unit, .help = {}});
+  }
   fields.push_back({.name = "time", .unit = "s", .help = {}});
   for (const OfPlayer& of : kOfPlayer)
     fields.push_back(of.own);
@@ -249,7 +262,7 @@ Query::Query(const MeasureSpec& spec, const Flight& flight, Diagnostics& diagnos
       who_(players_named(flight.scenario, spec, "who", spec.who, diagnostics)),
       whom_(players_named(flight.scenario, spec, "whom", spec.whom, diagnostics)),
       kind_(kind_named(spec.event)),
-      own_values_(spec.what == What::decision ? 1 : model::event_values(kind_).size()),
+      own_values_(spec.what == What::decision ? std::vector<std::uint8_t>{0} : own_values(kind_)),
       decisions_(flight.scenario) {
   const std::vector<StateFieldInfo> fields = fields_of(spec);
   condition_ = *condition_of(spec, fields, diagnostics);
@@ -274,11 +287,11 @@ Query::Query(const MeasureSpec& spec, const Flight& flight, Diagnostics& diagnos
 }
 
 double Query::field(const Case& c, std::size_t index) const {
-  if (index < own_values_)
-    return c.values[index];
-  if (index == own_values_)
+  if (index < own_values_.size())
+    return c.values[own_values_[index]];
+  if (index == own_values_.size())
     return c.time;
-  const std::size_t of = index - own_values_ - 1;
+  const std::size_t of = index - own_values_.size() - 1;
   return of_player(flight_.scenario, c.world, of < kOfPlayer.size() ? c.who : c.whom,
                    of % kOfPlayer.size());
 }

@@ -118,7 +118,7 @@ class Query {
   const Flight& flight_;
   Players who_, whom_;
   model::EventKind kind_ = model::EventKind::none;
-  std::size_t own_values_ = 0;  ///< of the kind
+  std::vector<std::uint8_t> own_values_;  ///< which of an event's can be read
   std::vector<ubf::detail::Instruction> condition_;
   std::size_t value_ = 0;                    ///< field that is taken
   std::vector<std::vector<Players>> nodes_;  ///< by fleet and tree: whether a node is meant

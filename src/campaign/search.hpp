@@ -22,7 +22,7 @@ struct Search {
   static constexpr std::string_view help = "a search for the values with which a measure is best";
   static constexpr auto params() {
     using S = Search;
-    return std::tuple{
+    return Lines{
         param("measure", &S::measure, "name of the measure").required(),
         param("goal", &S::goal, "what is better").required(),
         param("generations", &S::generations, range(1, 100'000), "how many are flown"),

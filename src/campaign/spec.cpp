@@ -20,7 +20,7 @@ struct StopSpec {
   static constexpr auto params() {
     using S = StopSpec;
     constexpr Range kCount = range(2, Spec::kMostReplicates);
-    return std::tuple{
+    return Lines{
         param("measure", &S::measure, "name of a measure").required(),
         param("width", &S::width, "of its interval").required(),
         param("confidence", &S::confidence, range(0.5, 0.9999), "of its interval"),

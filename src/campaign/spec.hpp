@@ -22,9 +22,8 @@ struct Budget {
   static constexpr std::string_view type_name = "budget";
   static constexpr std::string_view help = "when the campaign ends though it is not complete";
   static constexpr auto params() {
-    return std::tuple{
-        param("time", &Budget::time, "s", positive(1e9), "on the clock, of all sessions"),
-        param("replicates", &Budget::replicates, range(1, 1e12), "of all cells")};
+    return Lines{param("time", &Budget::time, "s", positive(1e9), "on the clock, of all sessions"),
+                 param("replicates", &Budget::replicates, range(1, 1e12), "of all cells")};
   }
   std::optional<double> time;
   std::optional<std::uint64_t> replicates;
@@ -34,7 +33,7 @@ struct Seeds {
   static constexpr std::string_view type_name = "seeds";
   static constexpr std::string_view help = "which seeds are flown";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("first", &Seeds::first, range(0, 1e15), "of the first replicate; then one by one"),
         param("paired", &Seeds::paired,
               "true: every cell flies the same seeds, so that differences have less noise")};
@@ -69,7 +68,7 @@ struct Spec {
       "many flights of one scenario, and what is asked of them";
   static constexpr std::uint64_t kMostReplicates = 1'000'000'000;  ///< of a cell
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("eyrie", &Spec::eyrie, range(kFileFormat, kFileFormat), "version of the file format")
             .required(),
         param("name", &Spec::name, "what the campaign is called").items(1, 100).required(),

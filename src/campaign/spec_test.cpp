@@ -190,6 +190,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "c.yaml:4:14: set: 'a.0' is set twice (also at c.yaml:4:7)"},
         Mistake{"until=60 min", "blue.flights.eagle.bingo=1 lb",
                 "c.yaml:4:7: set: 'blue.flights.eagle.bingo' is set by bingo in each cell, too"},
+        Mistake{"[red_lost]", "[time, fault]",
+                "c.yaml:14:28: won: what ends with a fault is in no measure; the report and the "
+                "table `faults` count it"},
         Mistake{"[red_lost]", "[running]", "c.yaml:14:28: won: no flight ends 'running'"},
         Mistake{"{first: 10}", "{first: 10 s}",
                 "c.yaml:11:16: seeds.first: expected a whole number, got '10 s'"},
@@ -286,12 +289,16 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"range < 10 nmi", "rnge < 10 nmi",
                 "c.yaml:17:53: launch has no value 'rnge'; did you mean 'range'?"},
         Mistake{"range < 10 nmi", "closure < 10 nmi",
-                "c.yaml:17:53: launch has no value 'closure', only range, store, time, altitude, "
+                "c.yaml:17:53: launch has no value 'closure', only range, time, altitude, "
                 "speed, mach, fuel, missile_range, enemy_range, whom.altitude, whom.speed, "
                 "whom.mach, whom.fuel, whom.missile_range, whom.enemy_range"},
         Mistake{"range < 10 nmi", "5 nmi < 10 nmi", "c.yaml:17:53: neither side is a value"},
         Mistake{"range < 10 nmi", "range < 10 kg",
                 "c.yaml:17:61: range: expected a length such as '6000 ft', got '10 kg' (a mass)"},
+        Mistake{"value: range", "value: store",
+                "c.yaml:17:106: near: launch has no value 'store', only range, time, altitude, "
+                "speed, mach, fuel, missile_range, enemy_range, whom.altitude, whom.speed, "
+                "whom.mach, whom.fuel, whom.missile_range, whom.enemy_range"},
         Mistake{"value: range", "value: rang",
                 "c.yaml:17:106: near: launch has no value 'rang'; did you mean 'range'?"},
         Mistake{"take: any", "take: any, value: vote",

@@ -45,6 +45,9 @@ Summary read_summary(const std::string& folder, double confidence) {
         *text = said.text(1);
   }
   summary.factors = columns_of(database, "cells", 2);
+  Statement seeds =
+      database.prepare("SELECT count(DISTINCT seed) FROM replicates WHERE replicate = 0");
+  summary.paired = !seeds.step() || seeds.integer(0) <= 1;
   read_measures(database, columns_of(database, "replicates", kFirstColumn), summary);
 
   Statement cells = database.prepare("SELECT * FROM cells ORDER BY cell");

@@ -28,6 +28,7 @@ struct Summary {
   std::vector<std::string> units;  ///< by measure
   std::vector<OfCell> cells;
   std::vector<Fault> faults;  ///< the first ones
+  bool paired = true;         ///< all cells fly the same seeds
 };
 
 [[nodiscard]] Summary read_summary(const std::string& folder, double confidence = 0.95);

@@ -44,6 +44,12 @@ template <std::size_t N>
   return turned < 0 || turned >= kTau ? 0 : turned;
 }
 
+/// deg, to a tenth, from 0 to 359.9, as files have it.
+[[nodiscard]] inline double heading_degrees(double heading) {
+  const double tenths = std::floor(degrees(wrap_tau(heading)) * 10 + 0.5);
+  return tenths < 3600 ? tenths / 10 : 0;
+}
+
 /// The signed shortest turn that leads from one heading to another, in (-pi, pi]; positive is
 /// clockwise seen from above, as headings are counted.
 [[nodiscard]] inline double angle_between(double from, double to) {

@@ -6,7 +6,7 @@
 ///     static constexpr std::string_view type_name = "break_turn";
 ///     static constexpr std::string_view help = "turns hard away from a missile";
 ///     static constexpr auto params() {
-///       return std::tuple{
+///       return Lines{
 ///           param("danger_range", &BreakTurn::danger_range_, "m", range(0, 50e3), "break inside"),
 ///           param("mode", &BreakTurn::mode_, "how to turn").required()};
 ///     }
@@ -21,10 +21,10 @@
 /// the default of the parameter.
 #include <functional>
 #include <memory>
-#include <tuple>
 #include <variant>
 
 #include "core/enum_names.hpp"
+#include "core/lines.hpp"
 #include "core/param.hpp"
 
 namespace eyrie {
@@ -258,13 +258,13 @@ void* member_of(void* object) {
 }
 template <Described T>
 inline constexpr auto kParameters = []<std::size_t... I>(std::index_sequence<I...>) {
-  [[maybe_unused]] constexpr auto kLines = T::params();
+  [[maybe_unused]] constexpr auto kLines = lines_of(T::params());
   return std::array<Parameter, sizeof...(I)>{Parameter{
-      std::get<I>(kLines),
-      &TypeOf<typename std::tuple_element_t<I, decltype(T::params())>::member_type>::value,
-      member_of<T, std::get<I>(kLines).member>}...};
+      line<I>(kLines),
+      &TypeOf<typename std::remove_cvref_t<decltype(line<I>(kLines))>::member_type>::value,
+      member_of<T, line<I>(kLines).member>}...};
 }
-(std::make_index_sequence<std::tuple_size_v<decltype(T::params())>>{});
+(std::make_index_sequence<decltype(lines_of(T::params()))::size()>{});
 
 template <Described T>
 constexpr std::shared_ptr<void> (*fresh_of())() {

@@ -221,7 +221,11 @@ std::string nearest_or_all(std::string_view wrong, std::span<const std::string> 
 }
 
 std::string quote(std::string_view text) {
-  return "'" + printable(text, kLongestQuote) + "'";
+  const std::string quoted = "'" + printable(text, kLongestQuote) + "'";
+  const auto odd = look_alike(text);
+  return odd ? fmt::format("{} (with the character U+{:04X})", quoted,
+                           static_cast<std::uint32_t>(*odd))
+             : quoted;
 }
 
 std::string quote_path(std::string_view path) {

@@ -97,6 +97,20 @@ std::string printable(std::string_view text, std::size_t longest) {
   return result;
 }
 
+std::optional<char32_t> look_alike(std::string_view text) {
+  static constexpr Points kAlike[] = {{0xA0, 0xA0},     {0x2000, 0x200A}, {0x2010, 0x2013},
+                                      {0x202F, 0x202F}, {0x205F, 0x205F}, {0x2212, 0x2212},
+                                      {0x3000, 0x3000}};
+  while (!text.empty()) {
+    const Utf8 next = first_character(text);
+    for (const Points& points : kAlike)
+      if (next.length > 0 && next.point >= points.first && next.point <= points.last)
+        return next.point;
+    text.remove_prefix(std::max<std::size_t>(next.length, 1));
+  }
+  return std::nullopt;
+}
+
 std::string printable_lines(std::string_view text) {
   std::string result;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {

@@ -269,6 +269,8 @@ std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::W
   if (const auto found = scenario.find(before, who))
     found->fleet.agents->look_again(before, after, who, orders, [&](const team::AnyMoment& m) {
       decision = m.decision();
+      if (const auto now = scenario.find(after, who))
+        decision->attacks = now->fleet.gauges(after, now->row).locked;
       for (Perceived& one : decision->perceived)
         one.name = debrief_name(one, scenario, before);
       each_value(*decision, [&](Value& value) { put_names(value.text, *decision, scenario); });

@@ -176,6 +176,21 @@ std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
   return std::nullopt;
 }
 
+/// Whether worlds have the same tables, but for how much the agents' trees remember.
+bool same_tables(const sim::Schema& a, const sim::Schema& b) {
+  const auto same_field = [](const FieldInfo& x, const FieldInfo& y) {
+    return x.name == y.name && x.type == y.type && x.offset == y.offset &&
+           (x.count == y.count || x.type == Scalar::bytes);
+  };
+  return std::ranges::equal(a.tables(), b.tables(), {}, &sim::TableInfo::name,
+                            &sim::TableInfo::name) &&
+         std::ranges::equal(a.columns(), b.columns(),
+                            [&](const sim::ColumnInfo& x, const sim::ColumnInfo& y) {
+                              return x.name == y.name && x.table == y.table &&
+                                     std::ranges::equal(x.fields, y.fields, same_field);
+                            });
+}
+
 }  // namespace
 
 Opened open(record::RunFile run, std::string file, std::vector<std::string> plugins,
@@ -282,14 +297,12 @@ void Reflight::demand_the_same() {
 
 std::optional<RunDifference> compare(const Recorded& left, const Recorded& right,
                                      std::string& problem) {
-  if (left.run.layout_hash != right.run.layout_hash) {
-    problem = fmt::format(
-        "{} and {} have worlds of other tables: other kinds of players, or trees that remember "
-        "more",
-        left.file, right.file);
+  const scenario::Scenario& scenario = *left.scenario;
+  if (!same_tables(scenario.simulation->schema(), right.scenario->simulation->schema())) {
+    problem = fmt::format("{} and {} have worlds of other tables: other kinds of players",
+                          left.file, right.file);
     return std::nullopt;
   }
-  const scenario::Scenario& scenario = *left.scenario;
   const scenario::Roster &mine = scenario.roster, &its = right.scenario->roster;
   for (PlayerId who{1}; mine.find(who) || its.find(who); ++who.value)
     if (mine.name(who) != its.name(who)) {
@@ -298,6 +311,8 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
       return std::nullopt;
     }
   RunDifference found;
+  if (left.run.layout_hash != right.run.layout_hash)
+    found.world = {0, 0, "the trees of one remember more than those of the other"};
   Reflight a(left), b(right);
   const auto part = [&](std::optional<Parting>& place, std::string text) {
     place = {a.before().step(), a.time(), std::move(text)};

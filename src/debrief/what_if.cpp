@@ -88,6 +88,14 @@ std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
   return tree < found->fleet.trees.size() ? std::string(found->fleet.trees[tree]->name()) : "";
 }
 
+std::vector<std::string> trees_of(const scenario::Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const auto& fleet : scenario.fleets)
+    for (const ubf::AnyTree* tree : fleet->trees)
+      names.emplace_back(tree->name());
+  return names;
+}
+
 /// The paths of the nodes of the tree of that name, whoever uses it, in pre-order.
 std::vector<std::string> paths_of(const scenario::Scenario& scenario, const std::string& name) {
   std::vector<std::string> paths;
@@ -120,7 +128,8 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
   if (tree.empty())
     return wrong(0, fmt::format("{} begins with no tree", scenario.roster.name(who)));
   if (paths.empty())
-    return wrong(0, fmt::format("there is no tree {}", quote(tree)));
+    return wrong(0, fmt::format("there is no tree {}{}", quote(tree),
+                                did_you_mean(tree, trees_of(scenario))));
   for (const std::string& path : paths)  // one with a '=' in a label
     if (path.starts_with(node) && text.compare(begin, path.size(), path) == 0)
       equals = std::max(equals, std::min(text.find('=', begin + path.size()), text.size()));

@@ -40,7 +40,7 @@ class Scatter final : public ubf::WithMemory<Behavior, ScatterMemory> {
   static constexpr std::string_view help = "leaves the way and stands while aircraft are near";
   static constexpr auto params() {
     using S = Scatter;
-    return std::tuple{
+    return Lines{
         param("vote", &S::vote_, range(0, 1000), "how strongly"),
         param("range", &S::range_, "m", range(0, 50e3), "an aircraft this near is too near"),
         param("distance", &S::distance_, "m", range(0, 5e3), "how far off the way it drives"),

@@ -31,7 +31,7 @@ struct Driving : Platform {
   /// What he writes.
   struct Controls {
     model::DriveCommand& command;
-    static constexpr auto columns() { return std::tuple{&Columns::command}; }
+    static constexpr auto columns() { return Lines{&Columns::command}; }
   };
   static constexpr auto swap_tree = OrderKind::swap_tree;
 

@@ -33,9 +33,9 @@ template <>
 struct eyrie::ubf::ActionTraits<eyrie::driver::Action> {
   using A = driver::Action;
   static constexpr auto fields =
-      std::tuple{field<blend::Angle>("heading", &A::heading, "rad", {-1e4, 1e4}),
-                 field<blend::Mean>("speed", &A::speed, "m/s", {-10e3, 10e3}),
-                 field<blend::Strongest>("call", &A::call)};
+      Lines{field<blend::Angle>("heading", &A::heading, "rad", {-1e4, 1e4}),
+            field<blend::Mean>("speed", &A::speed, "m/s", {-10e3, 10e3}),
+            field<blend::Strongest>("call", &A::call)};
 };
 
 /// What expressions and switches may read of a driver's state: driver/state.cpp.
@@ -112,7 +112,7 @@ struct Cab {
 
   static constexpr auto columns() {
     using C = model::VehicleColumns;
-    return std::tuple{&C::kinematics, &C::driving, &C::lookout, &C::datalink};
+    return Lines{&C::kinematics, &C::driving, &C::lookout, &C::datalink};
   }
 };
 

@@ -15,8 +15,8 @@ struct StationFit {
   static constexpr std::string_view type_name = "station";
   static constexpr std::string_view help = "what hangs on one station";
   static constexpr auto params() {
-    return std::tuple{param("store", &StationFit::store, "name of a missile").required(),
-                      param("count", &StationFit::count, range(1, 8), "how many of it")};
+    return Lines{param("store", &StationFit::store, "name of a missile").required(),
+                 param("count", &StationFit::count, range(1, 8), "how many of it")};
   }
 };
 
@@ -47,7 +47,7 @@ struct AircraftType {
       "a type of aircraft: which models it is put together from";
   static constexpr auto params() {
     using A = AircraftType;
-    return std::tuple{
+    return Lines{
         param("label", &A::label, "name in the story and in Tacview").items(1, 40).required(),
         param("entity_type", &A::entity_type, kEntityTypeHelp).items(3, 27),
         param("airframe", &A::airframe, "how it flies").required(),

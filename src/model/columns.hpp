@@ -58,7 +58,7 @@ struct AircraftColumns : sim::Table<AircraftColumns> {
     using C = AircraftColumns;
     using sim::column, sim::WrittenBy;
     using enum sim::Phase;
-    return std::tuple{
+    return Lines{
         column("fit", &C::fit),
         column("kinematics", &C::kinematics, WrittenBy{"flight", move}, WrittenBy{"remote", move}),
         column("flying", &C::flying, WrittenBy{"flight", move}),
@@ -92,7 +92,7 @@ struct MissileColumns : sim::Table<MissileColumns> {
     using C = MissileColumns;
     using sim::column, sim::WrittenBy;
     using enum sim::Phase;
-    return std::tuple{
+    return Lines{
         column("kinematics", &C::kinematics, WrittenBy{"missile", move},
                WrittenBy{"remote missile", move}),
         column("state", &C::state, WrittenBy{"missile", perceive}, WrittenBy{"missile", decide},
@@ -117,13 +117,13 @@ struct VehicleColumns : sim::Table<VehicleColumns> {
     using C = VehicleColumns;
     using sim::column, sim::WrittenBy;
     using enum sim::Phase;
-    return std::tuple{column("fit", &C::fit),
-                      column("kinematics", &C::kinematics, WrittenBy{"vehicle", move}),
-                      column("driving", &C::driving, WrittenBy{"vehicle", move}),
-                      column("command", &C::command, WrittenBy{"driver", decide}),
-                      column("lookout", &C::lookout, WrittenBy{"vehicle", perceive}),
-                      column("datalink", &C::datalink, WrittenBy{"vehicle", perceive}),
-                      column("sent", &C::sent, WrittenBy{"vehicle", act})};
+    return Lines{column("fit", &C::fit),
+                 column("kinematics", &C::kinematics, WrittenBy{"vehicle", move}),
+                 column("driving", &C::driving, WrittenBy{"vehicle", move}),
+                 column("command", &C::command, WrittenBy{"driver", decide}),
+                 column("lookout", &C::lookout, WrittenBy{"vehicle", perceive}),
+                 column("datalink", &C::datalink, WrittenBy{"vehicle", perceive}),
+                 column("sent", &C::sent, WrittenBy{"vehicle", act})};
   }
 };
 

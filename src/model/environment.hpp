@@ -117,7 +117,7 @@ struct WindLayer {
   static constexpr std::string_view type_name = "wind";
   static constexpr std::string_view help = "the wind at one altitude";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("altitude", &WindLayer::altitude, "m", range(-2e3, 32e3), "where this wind blows"),
         param("speed", &WindLayer::speed, "m/s", range(0, 150), "how fast").required(),
         param("from", &WindLayer::from, "rad", range(-kTau, kTau),
@@ -153,7 +153,7 @@ struct EnvironmentSpec {
   static constexpr std::string_view type_name = "environment";
   static constexpr std::string_view help = "the standard atmosphere, with a steady wind if wanted";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("wind", &EnvironmentSpec::wind, "layers of wind from low to high; none: calm air")};
   }
 

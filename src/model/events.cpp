@@ -122,7 +122,7 @@ constexpr std::array kInfos = [] {
           {},
           "order_given",
           C::order,
-          "`swap_tree`, `lose`, `take_over`, `hand_back`, `vote`, `weapons_tight`, "
+          "`swap_tree`, `take_over`, `hand_back`, `vote`, `weapons_tight`, "
           "`weapons_free`, `point`"}}}},
       {eject,
        "eject",

@@ -78,6 +78,12 @@ struct EventValue {
   std::string_view column{};  ///< of tables, "range_m"
   EventCode code = EventCode::number;
   std::string_view help{};
+
+  /// Its number is an index, which says nothing to anybody outside.
+  [[nodiscard]] constexpr bool is_name() const {
+    return code == EventCode::weapon || code == EventCode::child || code == EventCode::node ||
+           code == EventCode::flight;
+  }
 };
 
 /// A kind of event, for who reads a table of them.

@@ -38,7 +38,7 @@ struct PullOff {
   static constexpr std::string_view help =
       "a repeater whose false echo takes a radar's gates along";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("gain", &PullOff::gain, "dB", range(0, 150),
               "of what is sent over what is received, with both antennas")
             .required(),
@@ -82,7 +82,7 @@ struct Jammer {
   static constexpr std::string_view type_name = "jammer";
   static constexpr std::string_view help = "a jammer: noise in the band of radars, false echoes";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("power", &Jammer::power, "W", range(0, 1e9),
               "effective radiated power of its noise: of the transmitter times the gain of its "
               "antenna"),

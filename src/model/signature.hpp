@@ -20,7 +20,7 @@ struct Signature {
   static constexpr std::string_view type_name = "signature";
   static constexpr std::string_view help = "radar cross sections and silhouettes of an aircraft";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("rcs_front", &Signature::rcs_front, "m2", range(1e-4, 1e5), "nose on"),
         param("rcs_side", &Signature::rcs_side, "m2", range(1e-4, 1e5), "abeam"),
         param("rcs_rear", &Signature::rcs_rear, "m2", range(1e-4, 1e5), "tail on"),
@@ -65,11 +65,11 @@ struct InfraredSignature {
   static constexpr std::string_view help = "radiant intensity of an aircraft by aspect";
   static constexpr auto params() {
     using S = InfraredSignature;
-    return std::tuple{param("front", &S::front, positive(1e6), "W/sr, nose on, military power"),
-                      param("side", &S::side, positive(1e6), "W/sr, abeam, military power"),
-                      param("rear", &S::rear, positive(1e6), "W/sr, tail on, military power"),
-                      param("afterburner", &S::afterburner, range(1, 1000),
-                            "factor on all of them with full afterburner")};
+    return Lines{param("front", &S::front, positive(1e6), "W/sr, nose on, military power"),
+                 param("side", &S::side, positive(1e6), "W/sr, abeam, military power"),
+                 param("rear", &S::rear, positive(1e6), "W/sr, tail on, military power"),
+                 param("afterburner", &S::afterburner, range(1, 1000),
+                       "factor on all of them with full afterburner")};
   }
 };
 

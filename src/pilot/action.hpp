@@ -74,7 +74,7 @@ struct Action {
 template <>
 struct eyrie::ubf::ActionTraits<eyrie::pilot::Action> {
   using A = pilot::Action;
-  static constexpr auto fields = std::tuple{
+  static constexpr auto fields = Lines{
       field<blend::Angle>("heading", &A::heading, "rad", {-1e4, 1e4}),
       field<blend::Mean>("altitude", &A::altitude, "m", {-100e3, 100e3}),
       field<blend::Mean>("speed", &A::speed, "m/s", {-10e3, 10e3}),

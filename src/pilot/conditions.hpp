@@ -20,7 +20,7 @@ struct Winchester final : Condition {
   static constexpr std::string_view type_name = "winchester";
   static constexpr std::string_view help = "no missile is left, and no round if the gun counts";
   static constexpr auto params() {
-    return std::tuple{param("gun", &Winchester::gun, "true: with rounds left it does not hold")};
+    return Lines{param("gun", &Winchester::gun, "true: with rounds left it does not hold")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     return model::weapon::missiles_left(t.state.stores) == 0 && (!gun || t.state.gun.rounds == 0);
@@ -34,8 +34,7 @@ struct Losses final : Condition {
   static constexpr std::string_view type_name = "losses";
   static constexpr std::string_view help = "so many of the flight are believed lost";
   static constexpr auto params() {
-    return std::tuple{
-        param("at_least", &Losses::at_least, range(1, 8), "members of the own flight")};
+    return Lines{param("at_least", &Losses::at_least, range(1, 8), "members of the own flight")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override { return t.state.lost >= at_least; }
 
@@ -46,7 +45,7 @@ struct NearHome final : Condition {
   static constexpr std::string_view type_name = "near_home";
   static constexpr std::string_view help = "home is within a range";
   static constexpr auto params() {
-    return std::tuple{param("within", &NearHome::within, "m", range(0, 1e6), "along the ground")};
+    return Lines{param("within", &NearHome::within, "m", range(0, 1e6), "along the ground")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     const auto distance = t.state.home_distance();
@@ -64,9 +63,9 @@ struct HostileTrack final : Condition {
   static constexpr std::string_view type_name = "hostile_track";
   static constexpr std::string_view help = "a hostile track is within a range";
   static constexpr auto params() {
-    return std::tuple{param("within", &HostileTrack::within, "m", range(0, 1e6), "from here"),
-                      param("identified", &HostileTrack::identified,
-                            "false: a track that nobody has identified counts as hostile here")};
+    return Lines{param("within", &HostileTrack::within, "m", range(0, 1e6), "from here"),
+                 param("identified", &HostileTrack::identified,
+                       "false: a track that nobody has identified counts as hostile here")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     for (const Seen& seen : t.state.tracks_seen())
@@ -84,7 +83,7 @@ struct InSight final : Condition {
   static constexpr std::string_view type_name = "in_sight";
   static constexpr std::string_view help = "a hostile is seen by eye or within a range";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("within", &InSight::within, "m", range(0, 100e3), "counts as seen in any case"),
         param("memory", &InSight::memory, "s", range(0, 60), "a glance is good for so long")};
   }
@@ -113,9 +112,9 @@ struct AreaClear final : ubf::WithMemory<Condition, ClearSince> {
   static constexpr std::string_view help =
       "nobody but friends within a range, and no missile perceived, for some time";
   static constexpr auto params() {
-    return std::tuple{param("within", &AreaClear::within, "m", range(0, 1e6), "from here"),
-                      param("for", &AreaClear::duration, "s", range(0, 3600),
-                            "how long it must have been clear")};
+    return Lines{param("within", &AreaClear::within, "m", range(0, 1e6), "from here"),
+                 param("for", &AreaClear::duration, "s", range(0, 3600),
+                       "how long it must have been clear")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     ClearSince& m = memory(t);
@@ -147,7 +146,7 @@ struct HasTarget final : Condition {
   static constexpr std::string_view type_name = "has_target";
   static constexpr std::string_view help = "a target is chosen";
   static constexpr auto params() {
-    return std::tuple{param("within", &HasTarget::within, "m", range(0, 1e6), "from here")};
+    return Lines{param("within", &HasTarget::within, "m", range(0, 1e6), "from here")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     const Seen* target = t.state.target();
@@ -162,7 +161,7 @@ struct ShotInFlight final : Condition {
   static constexpr std::string_view type_name = "shot_in_flight";
   static constexpr std::string_view help = "an own missile is believed on its way";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("any", &ShotInFlight::any, "true: to whomever; false: to the chosen target")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {

@@ -13,7 +13,7 @@ struct Spiked final : Condition {
   static constexpr std::string_view type_name = "spiked";
   static constexpr std::string_view help = "a radar tracks this aircraft";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("for", &Spiked::duration, "s", range(0, 60),
               "tracks for so long at least; with `search` its search counts, too"),
         param("search", &Spiked::search, "true: or one searches, of a hostile who could hit now")};
@@ -35,7 +35,7 @@ struct MissileInbound final : Condition {
   static constexpr std::string_view type_name = "missile_inbound";
   static constexpr std::string_view help = "a missile that comes for this aircraft is here soon";
   static constexpr auto params() {
-    return std::tuple{param("within", &MissileInbound::within, "s", range(0, 120), "time to go")};
+    return Lines{param("within", &MissileInbound::within, "s", range(0, 120), "time to go")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     return inbound(t.state, within) != nullptr;
@@ -50,8 +50,8 @@ struct AbortRange final : Condition {
   static constexpr std::string_view type_name = "abort_range";
   static constexpr std::string_view help = "a hostile is near enough to hit whatever one does";
   static constexpr auto params() {
-    return std::tuple{param("factor", &AbortRange::factor, range(0, 20),
-                            "of the no-escape range of his missile against this aircraft")};
+    return Lines{param("factor", &AbortRange::factor, range(0, 20),
+                       "of the no-escape range of his missile against this aircraft")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override { return exposed(t.state, factor); }
 
@@ -63,8 +63,8 @@ struct Outnumbered final : Condition {
   static constexpr std::string_view type_name = "outnumbered";
   static constexpr std::string_view help = "more hostiles within a range than the flight has left";
   static constexpr auto params() {
-    return std::tuple{param("by", &Outnumbered::by, range(1, 16), "so many more at least"),
-                      param("within", &Outnumbered::within, "m", range(0, 1e6), "from here")};
+    return Lines{param("by", &Outnumbered::by, range(1, 16), "so many more at least"),
+                 param("within", &Outnumbered::within, "m", range(0, 1e6), "from here")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     const State& s = t.state;

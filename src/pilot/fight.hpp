@@ -42,7 +42,7 @@ class Maneuver : public Behavior {
  public:
   static constexpr auto params() {
     using M = Maneuver;
-    return std::tuple{
+    return Lines{
         param("vote", &M::vote_, range(0, 1000), "how strongly"),
         param("speed", &M::speed_, "m/s", range(50, 1000), "true airspeed to go for"),
         param("least_mach", &M::least_mach_, range(0, 2),

@@ -16,7 +16,7 @@ struct Formation {
   static constexpr std::string_view help = "the wall formation: spacing from one place to the next";
   static constexpr auto params() {
     using F = Formation;
-    return std::tuple{
+    return Lines{
         param("abreast", &F::abreast, "m", range(50, 50e3), "to the side of the lead, per place"),
         param("behind", &F::behind, "m", range(-50e3, 50e3), "behind the lead, per place"),
         param("below", &F::below, "m", range(-5e3, 5e3), "below the lead, per place")};

@@ -41,7 +41,7 @@ struct Piloting : Platform {
   struct Controls {
     model::Command& command;
     model::Request& request;
-    static constexpr auto columns() { return std::tuple{&Columns::command, &Columns::request}; }
+    static constexpr auto columns() { return Lines{&Columns::command, &Columns::request}; }
   };
   static constexpr auto swap_tree = OrderKind::swap_tree;
 

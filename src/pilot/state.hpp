@@ -54,8 +54,8 @@ struct Cockpit {
 
   static constexpr auto columns() {
     using C = model::AircraftColumns;
-    return std::tuple{&C::kinematics, &C::propulsion, &C::flying,  &C::stores,   &C::gun,
-                      &C::tracks,     &C::rwr,        &C::threats, &C::datalink, &C::command};
+    return Lines{&C::kinematics, &C::propulsion, &C::flying,  &C::stores,   &C::gun,
+                 &C::tracks,     &C::rwr,        &C::threats, &C::datalink, &C::command};
   }
 };
 

@@ -178,13 +178,14 @@ std::string events_markdown() {
       "| the others | the values of the kinds below |\n\n"
       "Units stand at the end of a name: m, s, kg, deg. A campaign's measures call a value by the "
       "name in brackets,\nin SI and, where the table has a word, by the number in brackets behind "
-      "it, if it has one.\n\n"
+      "it. What has no name in brackets is no number.\n\n"
       "| event | what happened | values |\n| --- | --- | --- |\n";
   for (const model::EventInfo& info : model::event_infos()) {
     std::string values;
     for (const model::EventValue& value : model::event_values(info.kind))
-      values += fmt::format("{}`{}` ({}): {}", values.empty() ? "" : "; ", value.column, value.name,
-                            marked(value.help));
+      values +=
+          fmt::format("{}`{}`{}: {}", values.empty() ? "" : "; ", value.column,
+                      value.is_name() ? "" : fmt::format(" ({})", value.name), marked(value.help));
     text += fmt::format("| `{}` | {} | {} |\n", info.name, marked(info.help), values);
   }
   return text;

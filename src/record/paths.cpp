@@ -12,12 +12,12 @@ using model::EventKind;
 void Paths::keep(std::uint32_t id) {
   Last& last = last_[id];
   Path& path = all_[id];
-  if (last.kept >= time_ && !path.points.empty())
+  if (last.kept >= last.seen && !path.points.empty())
     return;
-  last.kept = time_;
+  last.kept = last.seen;
   if (path.points.size() >= most_)
     halve(path, last);
-  path.points.push_back({time_, scenario_.library->reference.to_geodetic(last.position)});
+  path.points.push_back({last.seen, scenario_.library->reference.to_geodetic(last.position)});
 }
 
 void Paths::halve(Path& path, Last& last) const {
@@ -32,6 +32,7 @@ void Paths::halve(Path& path, Last& last) const {
 void Paths::see(PlayerId id, const Vec3& position, bool keep_it) {
   Last& last = last_[id.value];
   last.position = position;
+  last.seen = time_;
   const bool due = keep_it && time_ - last.kept > last.pause - 1e-6;
   if (due || all_[id.value].points.empty())
     keep(id.value);
@@ -91,6 +92,10 @@ void Paths::happened(const sim::Event& e) {
   if (at == all_.end() || !at->second.end.empty())
     return;
   at->second.end = fate->end;
+  if (fate->who == e.who && norm(e.place) > 0) {  // else he was last seen a step ago
+    last_[fate->who.value].position = e.place;
+    last_[fate->who.value].seen = time_;
+  }
   keep(fate->who.value);
 }
 
@@ -257,11 +262,13 @@ ordered_json way(std::span<const Path::Point> points) {
   return {{"type", "MultiLineString"}, {"coordinates", std::move(all)}};
 }
 
-/// A feature for each way between two fixes.
-void add_path(const Path& path, ordered_json& features) {
-  std::size_t led = 0;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const Path::Point &from = path.points[i - 1], &to = path.points[i];
+/// A feature for each way between two fixes; a point if there is but one.
+void add_path(const scenario::Roster& roster, const Path& path, ordered_json& features) {
+  std::size_t led = 0, locks = 0;
+  const std::size_t ways = std::max<std::size_t>(path.points.size(), 2) - 1;
+  for (std::size_t i = 0; i < ways && !path.points.empty(); ++i) {
+    const Path::Point &from = path.points[i],
+                      &to = path.points[std::min(i + 1, path.points.size() - 1)];
     ordered_json properties{{"name", path.name},
                             {"kind", path.kind},
                             {"type", path.type},
@@ -275,12 +282,18 @@ void add_path(const Path& path, ordered_json& features) {
       properties["behavior"] = path.led[led].behavior;
       properties["vote"] = path.led[led].vote;
     }
-    if (!path.target.empty())
-      properties["target"] = path.target;
+    while (locks + 1 < path.locks.size() && path.locks[locks + 1].time <= from.time)
+      ++locks;
+    if (locks < path.locks.size() && path.locks[locks].time <= from.time &&
+        path.locks[locks].target)
+      properties["target"] = roster.name(path.locks[locks].target);
     if (!path.end.empty())
       properties["fate"] = path.end;
-    features.push_back(
-        feature(way(std::span(path.points).subspan(i - 1, 2)), std::move(properties)));
+    ordered_json geometry =
+        path.points.size() > 1
+            ? way(std::span(path.points).subspan(i, 2))
+            : ordered_json{{"type", "Point"}, {"coordinates", coordinates(from.place)}};
+    features.push_back(feature(std::move(geometry), std::move(properties)));
   }
 }
 
@@ -322,10 +335,10 @@ std::string czml(const Paths& paths) {
                    {"multiplier", 10},
                    {"range", "LOOP_STOP"}}}});
   for (const auto& [id, path] : paths.all())
-    if (path.points.size() > 1)
+    if (!path.points.empty())
       all.push_back(packet(id, path));
   for (const auto& [id, path] : paths.all())
-    if (path.points.size() > 1)
+    if (!path.points.empty())
       add_lines(paths, id, path, all);
   return json_text(all) + "\n";
 }
@@ -335,9 +348,7 @@ std::string geojson(const Paths& paths) {
   for (const model::Flight& flight : paths.scenario().library->flights)
     add_plan(*paths.scenario().library, flight, features);
   for (const auto& [id, path] : paths.all()) {
-    if (path.points.size() < 2)
-      continue;
-    add_path(path, features);
+    add_path(paths.scenario().roster, path, features);
     if (path.end == "lost")
       features.push_back(
           feature({{"type", "Point"}, {"coordinates", coordinates(path.points.back().place)}},

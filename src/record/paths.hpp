@@ -59,6 +59,7 @@ class Paths final : public sim::Observer {
  private:
   struct Last {
     Vec3 position;
+    double seen = 0;   ///< s, when it was there
     double kept = -1;  ///< s, when its last point was kept
     double pause = 0;  ///< s, at least, between two points
   };

@@ -14,7 +14,7 @@ namespace {
 struct ByHand {
   static constexpr std::string_view type_name = "by_hand";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("environment", &ByHand::environment, "the air and its wind"),
         param("home", &ByHand::home, "where its flights land that have no home of their own")};
   }

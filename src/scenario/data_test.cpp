@@ -53,9 +53,10 @@ const Location kAsker{"s", 9, 3};
 TEST(Data, OfAnyKindIsKnownByItsWords) {
   Diagnostics none;
   for (const auto& [name, text] : Loading::shipped())
-    each_kind_of_model([&](const auto& kind) {
-      if (name.starts_with(fmt::format("data/{}/", kind.folder)))
+    each_kind_of_model([&, &name = name, &text = text](const auto& kind) {
+      if (name.starts_with(fmt::format("data/{}/", kind.folder))) {
         EXPECT_EQ(model_in(parse_yaml(text, name, none)), kind.singular) << name;
+      }
     });
   EXPECT_EQ(model_in(parse_yaml("extends: sweep\nlabel: F\n", "s", none)), "");
   EXPECT_EQ(model_in(parse_yaml("name: x\nblue: {}\nlabel: F\n", "s", none)), "");

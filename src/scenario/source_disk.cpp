@@ -97,13 +97,9 @@ class Disk final : public Source::Folders {
   /// data/ and Eyrie's own scenarios stand below home whatever the working folder is; everything
   /// else is as the user wrote it.
   [[nodiscard]] fs::path place_of(const std::string& name) const {
-    std::error_code failed;
     if (name.starts_with(Source::kOwn))
       return fs::path(home_) / name.substr(Source::kOwn.size());
-    if (const fs::path data = fs::path(home_) / name;
-        name.starts_with("data/") && fs::is_regular_file(data, failed))
-      return data;
-    return name;
+    return name.starts_with("data/") ? fs::path(home_) / name : fs::path(name);
   }
 
   /// What the name would mean in one of Eyrie's own scenarios, of which the file `asker` may be a

@@ -27,7 +27,7 @@ struct PlaceSpec {
   static constexpr std::string_view help =
       "a place, as north/east of the reference point or as latitude/longitude";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("north", &PlaceSpec::north, "m", range(-500e3, 500e3),
               "north of the reference point, in its tangent plane"),
         param("east", &PlaceSpec::east, "m", range(-500e3, 500e3),
@@ -43,12 +43,12 @@ struct StartSpec : PlaceSpec {
   static constexpr std::string_view type_name = "start";
   static constexpr std::string_view help = "where and how an aircraft begins";
   static constexpr auto params() {
-    return std::tuple_cat(
+    return joined(
         PlaceSpec::params(),
-        std::tuple{param("altitude", &StartSpec::altitude, "m", range(0, 30e3),
-                         "height above the ellipsoid"),
-                   param("heading", &StartSpec::heading, "rad", range(-kTau, kTau), "true heading"),
-                   param("speed", &StartSpec::speed, "m/s", range(1, 1000), "true airspeed")});
+        Lines{param("altitude", &StartSpec::altitude, "m", range(0, 30e3),
+                    "height above the ellipsoid"),
+              param("heading", &StartSpec::heading, "rad", range(-kTau, kTau), "true heading"),
+              param("speed", &StartSpec::speed, "m/s", range(1, 1000), "true airspeed")});
   }
   std::optional<double> altitude, heading, speed;
 };
@@ -57,12 +57,11 @@ struct WaypointSpec : PlaceSpec {
   static constexpr std::string_view type_name = "waypoint";
   static constexpr std::string_view help = "one point of a route";
   static constexpr auto params() {
-    return std::tuple_cat(
-        PlaceSpec::params(),
-        std::tuple{param("altitude", &WaypointSpec::altitude, "m", range(0, 30e3),
-                         "height above the ellipsoid to fly on the leg to this point"),
-                   param("speed", &WaypointSpec::speed, "m/s", range(1, 1000),
-                         "true airspeed to fly on the leg to this point")});
+    return joined(PlaceSpec::params(),
+                  Lines{param("altitude", &WaypointSpec::altitude, "m", range(0, 30e3),
+                              "height above the ellipsoid to fly on the leg to this point"),
+                        param("speed", &WaypointSpec::speed, "m/s", range(1, 1000),
+                              "true airspeed to fly on the leg to this point")});
   }
   std::optional<double> altitude, speed;
 };
@@ -74,7 +73,7 @@ struct SpreadSpec {
       "how far starts differ from seed to seed: each amount is drawn evenly, up to so much more or "
       "less than the start says";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("position", &SpreadSpec::position, "m", range(0, 100e3),
               "to the north and to the east"),
         param("altitude", &SpreadSpec::altitude, "m", range(0, 15e3), "higher or lower"),
@@ -94,7 +93,7 @@ struct PlayerSpec {
   static constexpr std::string_view help =
       "one aircraft; what it does not say comes from its flight";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("aircraft", &PlayerSpec::aircraft, "name of an aircraft in data/aircraft"),
         param("tree", &PlayerSpec::tree,
               "name of the tree that flies it; none: the autopilot alone"),
@@ -125,11 +124,11 @@ struct FlightSpec : PlayerSpec {
   static constexpr std::string_view type_name = "flight";
   static constexpr std::string_view help = "aircraft that fly together, ranked by their names";
   static constexpr auto params() {
-    return std::tuple_cat(
+    return joined(
         PlayerSpec::params(),
-        std::tuple{param("formation", &FlightSpec::formation, "spacing of the wall formation"),
-                   param("route", &FlightSpec::route, "the waypoints, in order").items(0, 10'000),
-                   param("home", &FlightSpec::home, "where it lands; not given: the side's home")});
+        Lines{param("formation", &FlightSpec::formation, "spacing of the wall formation"),
+              param("route", &FlightSpec::route, "the waypoints, in order").items(0, 10'000),
+              param("home", &FlightSpec::home, "where it lands; not given: the side's home")});
   }
   pilot::Formation formation;
   std::vector<WaypointSpec> route;
@@ -140,11 +139,11 @@ struct VehicleStartSpec : PlaceSpec {
   static constexpr std::string_view type_name = "vehicle_start";
   static constexpr std::string_view help = "where and how a vehicle begins, on the surface";
   static constexpr auto params() {
-    return std::tuple_cat(PlaceSpec::params(),
-                          std::tuple{param("heading", &VehicleStartSpec::heading, "rad",
-                                           range(-kTau, kTau), "true heading"),
-                                     param("speed", &VehicleStartSpec::speed, "m/s", range(0, 100),
-                                           "over the ground; not given: stands")});
+    return joined(PlaceSpec::params(),
+                  Lines{param("heading", &VehicleStartSpec::heading, "rad", range(-kTau, kTau),
+                              "true heading"),
+                        param("speed", &VehicleStartSpec::speed, "m/s", range(0, 100),
+                              "over the ground; not given: stands")});
   }
   std::optional<double> heading, speed;
 };
@@ -153,9 +152,9 @@ struct RoadPointSpec : PlaceSpec {
   static constexpr std::string_view type_name = "road_point";
   static constexpr std::string_view help = "one point of a convoy's route";
   static constexpr auto params() {
-    return std::tuple_cat(PlaceSpec::params(),
-                          std::tuple{param("speed", &RoadPointSpec::speed, "m/s", range(0.5, 100),
-                                           "to drive on the leg to this point")});
+    return joined(PlaceSpec::params(),
+                  Lines{param("speed", &RoadPointSpec::speed, "m/s", range(0.5, 100),
+                              "to drive on the leg to this point")});
   }
   std::optional<double> speed;
 };
@@ -166,7 +165,7 @@ struct VehicleSpec {
   static constexpr std::string_view help =
       "one vehicle; what it does not say comes from its convoy";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("vehicle", &VehicleSpec::vehicle, "name of a vehicle in data/vehicles"),
         param("tree", &VehicleSpec::tree, "name of the tree that drives it; none: it stands"),
         param("start", &VehicleSpec::start, "where and how it begins")};
@@ -179,12 +178,11 @@ struct ConvoySpec : VehicleSpec {
   static constexpr std::string_view type_name = "convoy";
   static constexpr std::string_view help = "vehicles that drive in column, ranked by their names";
   static constexpr auto params() {
-    return std::tuple_cat(
+    return joined(
         VehicleSpec::params(),
-        std::tuple{
-            param("gap", &ConvoySpec::gap, "m", range(5, 5e3), "from vehicle to vehicle"),
-            param("route", &ConvoySpec::route, "the points of its way, in order; it stops there")
-                .items(0, 10'000)});
+        Lines{param("gap", &ConvoySpec::gap, "m", range(5, 5e3), "from vehicle to vehicle"),
+              param("route", &ConvoySpec::route, "the points of its way, in order; it stops there")
+                  .items(0, 10'000)});
   }
   double gap = 50;
   std::vector<RoadPointSpec> route;
@@ -194,7 +192,7 @@ struct RatesSpec {
   static constexpr std::string_view type_name = "rates";
   static constexpr std::string_view help = "how often things happen; each must divide the first";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("kinematics", &RatesSpec::kinematics, "Hz", range(1, 1000), "steps of the world"),
         param("decisions", &RatesSpec::decisions, "Hz", range(0.1, 1000),
               "ticks of each pilot's and each driver's tree")};
@@ -206,12 +204,12 @@ struct ReferenceSpec {
   static constexpr std::string_view type_name = "reference";
   static constexpr std::string_view help = "the reference point: origin of the local frame";
   static constexpr auto params() {
-    return std::tuple{param("latitude", &ReferenceSpec::latitude, "rad", range(-kPi / 2, kPi / 2),
-                            "geodetic latitude, WGS-84")
-                          .required(),
-                      param("longitude", &ReferenceSpec::longitude, "rad", range(-kTau, kTau),
-                            "longitude, WGS-84")
-                          .required()};
+    return Lines{param("latitude", &ReferenceSpec::latitude, "rad", range(-kPi / 2, kPi / 2),
+                       "geodetic latitude, WGS-84")
+                     .required(),
+                 param("longitude", &ReferenceSpec::longitude, "rad", range(-kTau, kTau),
+                       "longitude, WGS-84")
+                     .required()};
   }
   double latitude = 0, longitude = 0;
 };
@@ -221,7 +219,7 @@ struct OrderSpec {
   static constexpr std::string_view type_name = "order";
   static constexpr std::string_view help = "something asked of a player from outside, at a time";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("at", &OrderSpec::at, "s", range(0, kLongestFlight),
               "simulated time, before the scenario's end")
             .required(),
@@ -241,7 +239,7 @@ struct ScenarioSpec {
   static constexpr std::string_view type_name = "scenario";
   static constexpr std::string_view help = "a scenario: who flies what, where, and until when";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("eyrie", &ScenarioSpec::eyrie, range(kFileFormat, kFileFormat),
               "version of the file format")
             .required(),

@@ -7,13 +7,12 @@
 ///     sim::Column<Tank> tank;
 ///     static constexpr std::string_view table_name = "car";
 ///     static constexpr auto columns() {
-///       return std::tuple{sim::column("body", &CarColumns::body, sim::WrittenBy{"drive",
+///       return Lines{sim::column("body", &CarColumns::body, sim::WrittenBy{"drive",
 ///       sim::Phase::move}),
 ///                         sim::column("tank", &CarColumns::tank, ...)};
 ///     }
 ///   };
-#include <tuple>
-
+#include "core/lines.hpp"
 #include "sim/schema.hpp"
 #include "sim/world.hpp"
 
@@ -79,7 +78,7 @@ struct Table {
   /// Calls `use` with each described column.
   template <class Use>
   static constexpr void each(Use use) {
-    std::apply([&](const auto&... c) { (use(c), ...); }, Columns::columns());
+    with_lines(lines_of(Columns::columns()), [&](const auto&... c) { (use(c), ...); });
   }
   /// Whether somebody writes a column in a phase.
   template <class Row>
@@ -100,7 +99,7 @@ struct Table {
 ///     const Body& body;
 ///     const Tank& tank;
 ///     static constexpr auto columns() {
-///       return std::tuple{&CarColumns::body, &CarColumns::tank};
+///       return Lines{&CarColumns::body, &CarColumns::tank};
 ///     }
 ///   };
 template <class View, class AnyWorld>
@@ -108,8 +107,8 @@ class Views {
  public:
   template <class Columns>
   Views(AnyWorld& world, const Columns& keys)
-      : spans_(std::apply([&](auto... member) { return Spans{world.rows(keys.*member)...}; },
-                          View::columns())) {}
+      : spans_(with_lines(lines_of(View::columns()),
+                          [&](auto... member) { return Spans{world.rows(keys.*member)...}; })) {}
 
   /// The view of a row; what is no column follows as `rest`.
   template <class... Rest>
@@ -121,28 +120,26 @@ class Views {
   [[nodiscard]] View at_both(std::size_t row, const Views& sensed, std::size_t sensed_row,
                              Rest&&... rest) const {
     return [&]<std::size_t... I>(std::index_sequence<I...>)->View {
-      return {(kSensed[I] ? std::get<I>(sensed.spans_)[sensed_row] : std::get<I>(spans_)[row])...,
+      return {(kSensed[I] ? line<I>(sensed.spans_)[sensed_row] : line<I>(spans_)[row])...,
               std::forward<Rest>(rest)...};
     }
-    (std::make_index_sequence<std::tuple_size_v<Spans>>{});
+    (std::make_index_sequence<Spans::size()>{});
   }
 
  private:
   template <class World, class Columns, class... Row>
-  static auto spans_of(const std::tuple<Column<Row> Columns::*...>&)
-      -> std::tuple<decltype(std::declval<World&>().rows(std::declval<Column<Row>>()))...>;
+  static auto spans_of(const Lines<Column<Row> Columns::*...>&)
+      -> Lines<decltype(std::declval<World&>().rows(std::declval<Column<Row>>()))...>;
   template <class Columns, class... Row>
   [[nodiscard]] static constexpr std::array<bool, sizeof...(Row)> sensed(
-      const std::tuple<Column<Row> Columns::*...>& members) {
-    return std::apply(
-        [](auto... member) {
-          return std::array{Columns::is_written_in(member, Phase::perceive)...};
-        },
-        members);
+      const Lines<Column<Row> Columns::*...>& members) {
+    return with_lines(members, [](auto... member) {
+      return std::array{Columns::is_written_in(member, Phase::perceive)...};
+    });
   }
 
-  using Spans = decltype(spans_of<AnyWorld>(View::columns()));
-  static constexpr auto kSensed = sensed(View::columns());
+  using Spans = decltype(spans_of<AnyWorld>(lines_of(View::columns())));
+  static constexpr auto kSensed = sensed(lines_of(View::columns()));
   Spans spans_;
 };
 

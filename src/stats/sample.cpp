@@ -18,6 +18,20 @@ using Binomial = boost::math::binomial_distribution<double, InDouble>;
 using Normal = boost::math::normal_distribution<double, InDouble>;
 using StudentsT = boost::math::students_t_distribution<double, InDouble>;
 
+/// What the difference of two independent means has: its standard error and degrees of freedom.
+struct Welch {
+  Welch(const Moments& one, const Moments& other) {
+    const auto part = [](const Moments& m) { return m.error() * m.error(); };
+    const auto freedom = [](const Moments& m) { return static_cast<double>(m.n()) - 1; };
+    const double a = part(one), b = part(other);
+    error = std::sqrt(a + b);
+    free = (a + b) * (a + b) / (a * a / freedom(one) + b * b / freedom(other));
+    is_known = one.n() > 1 && other.n() > 1 && !(one.constant() && other.constant());
+  }
+  double error = 0, free = 1;
+  bool is_known = false;
+};
+
 double t_of(std::uint64_t n, double confidence) {
   const StudentsT student(static_cast<double>(n - 1));
   return boost::math::quantile(student, (1 + confidence) / 2);
@@ -68,6 +82,29 @@ double mcnemar(std::uint64_t only_one, std::uint64_t only_other) {
   return std::min(1.0, 2 * cdf(fair, static_cast<double>(std::min(only_one, only_other))));
 }
 
+double fisher(const Share& one, const Share& other) {
+  const auto n = static_cast<double>(one.n), m = static_cast<double>(other.n);
+  const auto both = static_cast<double>(one.count + other.count);
+  const auto seen = static_cast<double>(one.count);
+  constexpr double kAlike = 1 + 1e-7;  // as likely but for rounding
+  double all = 1, rare = 1;            // in units of how likely what was seen is
+  const auto walk = [&](double step) {
+    double weight = 1;
+    for (double k = seen;; k += step) {
+      const double more = step > 0 ? k : k - 1;  // of the first from `more` to one more
+      const double up = (n - more) * (both - more) / ((more + 1) * (m - both + more + 1));
+      if (!(up > 0) || std::isinf(up))
+        return;
+      weight *= step > 0 ? up : 1 / up;
+      all += weight;
+      rare += weight <= kAlike ? weight : 0;
+    }
+  };
+  walk(1);
+  walk(-1);
+  return std::min(1.0, rare / all);
+}
+
 void Moments::add(double x) {
   const double before = x - mean_;
   mean_ += before / static_cast<double>(++n_);
@@ -92,6 +129,26 @@ double t_test(const Moments& moments) {
     return std::ldexp(2.0, -static_cast<int>(std::min<std::uint64_t>(moments.n(), 2000)));
   const StudentsT student(static_cast<double>(moments.n() - 1));
   return 2 * cdf(complement(student, std::abs(moments.mean()) / moments.error()));
+}
+
+std::optional<Interval> welch_interval(const Moments& one, const Moments& other,
+                                       double confidence) {
+  const Welch both(one, other);
+  if (!both.is_known)
+    return std::nullopt;
+  const double half = both.error * quantile(StudentsT(both.free), (1 + confidence) / 2);
+  const double difference = one.mean() - other.mean();
+  return Interval{difference - half, difference + half};
+}
+
+double welch_test(const Moments& one, const Moments& other) {
+  const double difference = std::abs(one.mean() - other.mean());
+  if (one.n() < 2 || other.n() < 2 || difference == 0)
+    return 1;
+  const Welch both(one, other);
+  if (!both.is_known)  // all of one above all of the other
+    return fisher({one.n(), one.n()}, {0, other.n()});
+  return 2 * cdf(complement(StudentsT(both.free), difference / both.error));
 }
 
 void Ratio::add(double over, double under) {

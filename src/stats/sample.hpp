@@ -40,6 +40,11 @@ struct Share {
 /// the first alone has it, in `only_other` the second. 1 if none differs.
 [[nodiscard]] double mcnemar(std::uint64_t only_one, std::uint64_t only_other);
 
+/// Fisher's exact test of two independent shares (Journal of the Royal Statistical Society 85
+/// (1922) 87): how likely outcomes at most as likely as this one are, with as many of both
+/// together, if both shares are the same.
+[[nodiscard]] double fisher(const Share& one, const Share& other);
+
 /// Mean and variance of numbers that come one by one (Welford, Technometrics 4 (1962) 419). The
 /// same numbers in the same order give the same bits.
 class Moments {
@@ -67,6 +72,14 @@ class Moments {
 /// Student's test: how likely a mean at least as far from 0 is if the true one is 0. 1 of fewer
 /// than two numbers; numbers that are all the same but not 0 give what the sign test gives.
 [[nodiscard]] double t_test(const Moments& moments);
+
+/// Of what one mean is more than another, independent one (Welch, Biometrika 34 (1947) 28). Nothing
+/// if it has no bounds: of fewer than two numbers, or if all of both are the same.
+[[nodiscard]] std::optional<Interval> welch_interval(const Moments& one, const Moments& other,
+                                                     double confidence = 0.95);
+/// Welch's test: how likely means at least as far apart are if the true ones are the same. 1 of
+/// fewer than two numbers; of two numbers alone what a test of ranks gives.
+[[nodiscard]] double welch_test(const Moments& one, const Moments& other);
 
 /// A sum over another one of the same runs, such as kills over losses.
 class Ratio {

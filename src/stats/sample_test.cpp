@@ -38,6 +38,38 @@ void expect_near(const std::optional<Interval>& interval, double low, double hig
   EXPECT_NEAR(interval->high, high, 1e-12);
 }
 
+// the figures of SciPy 1.16: ttest_ind(equal_var=False), fisher_exact
+TEST(Independent, MeansAreComparedByWelch) {
+  Moments a, b, same, other;
+  for (const double x :
+       {27.5, 21.0, 19.0, 23.6, 17.0, 17.9, 16.9, 20.1, 21.9, 22.6, 23.1, 19.6, 19.0, 21.7, 21.4})
+    a.add(x);
+  for (const double x : {27.1, 22.0, 20.8, 23.4, 23.4, 23.5, 25.8, 22.0, 24.8})
+    b.add(x);
+  EXPECT_NEAR(welch_test(a, b), 0.008929836466237332, 1e-12);
+  const Interval interval = welch_interval(a, b).value();
+  EXPECT_NEAR(interval.low, -4.8637308353930155, 1e-9);
+  EXPECT_NEAR(interval.high, -0.7851580534958824, 1e-9);
+  for (int i = 0; i < 4; ++i) {
+    same.add(2);
+    other.add(3);
+  }
+  EXPECT_FALSE(welch_interval(same, other));
+  EXPECT_NEAR(welch_test(same, other), 2.0 / 70, 1e-12) << "one way of 70, and its mirror image";
+  EXPECT_EQ(welch_test(same, same), 1);
+  EXPECT_TRUE(welch_interval(a, same));
+  EXPECT_EQ(welch_test(a, Moments()), 1);
+}
+TEST(Independent, SharesAreComparedByFisher) {
+  EXPECT_NEAR(fisher({8, 10}, {1, 6}), 0.034965034965034975, 1e-12);
+  EXPECT_NEAR(fisher({30, 100}, {12, 70}), 0.07076310792036458, 1e-12);
+  EXPECT_NEAR(fisher({0, 20}, {20, 20}), 1.4508889103849688e-11, 1e-22);
+  EXPECT_EQ(fisher({0, 20}, {0, 30}), 1);
+  EXPECT_EQ(fisher({20, 20}, {30, 30}), 1);
+  EXPECT_NEAR(fisher({1500, 3000}, {1500, 3000}), 1, 1e-12);
+  EXPECT_LT(fisher({0, 100'000}, {100'000, 100'000}), 1e-300);
+}
+
 TEST(Moments, AreThoseOfNumPy) {
   const Moments m = of(kX);
   EXPECT_EQ(m.n(), 6U);

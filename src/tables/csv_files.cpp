@@ -90,7 +90,7 @@ bool write_decisions(const debrief::Recorded& recorded, const Selection& selecti
                       record::csv_text(scenario.roster.name(d.player)), record::csv_text(d.tree),
                       ubf::to_text(d.status), d.vote,
                       d.leader == ubf::kNone ? "" : record::csv_text(d.nodes[d.leader].label),
-                      path_of(d, d.leader), record::csv_text(scenario.roster.name(target_of(d))));
+                      path_of(d, d.leader), record::csv_text(scenario.roster.name(d.attacks)));
     for (const Cell& cell : action_of(d, columns))
       put(cell, row);
     file.write(row += '\n');

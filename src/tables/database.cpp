@@ -221,7 +221,7 @@ void Writer::put_answer(const Key& key, std::uint64_t from, std::uint64_t to,
 void Writer::decide(const debrief::Decision& d) {
   const std::int64_t root = first_node(d);
   const double leader = d.leader == ubf::kNone ? kNull : static_cast<double>(root + d.leader);
-  const double attacks = id_of(target_of(d));
+  const double attacks = id_of(d.attacks);
   const auto [at, is_new] = spans_.try_emplace(d.player, Span{});
   Span& span = at->second;
   const std::uint64_t before = span.to;

@@ -97,17 +97,10 @@ std::vector<Cell> decision_row(const debrief::Decision& d, const scenario::Roste
                         static_cast<double>(d.vote),
                         leader ? leader->label : "",
                         leader ? leader->path : "",
-                        roster.name(target_of(d))};
+                        roster.name(d.attacks)};
   for (Cell& cell : action_of(d, columns))
     row.push_back(std::move(cell));
   return row;
-}
-
-PlayerId target_of(const debrief::Decision& d) {
-  for (const debrief::Perceived& one : d.perceived)
-    if (one.kind == "target")
-      return one.truth;
-  return {};
 }
 
 bool Chooser::wants(const debrief::Decision& d) {

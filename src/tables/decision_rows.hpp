@@ -62,8 +62,6 @@ using Answers = std::vector<std::optional<AnswerRow>>;
 /// Every field of what came out of the root.
 [[nodiscard]] std::vector<Cell> action_of(const debrief::Decision& decision,
                                           std::span<const ActionColumn> columns);
-/// Whom the agent attacks, in truth; nobody if it has no target.
-[[nodiscard]] PlayerId target_of(const debrief::Decision& decision);
 
 /// Which decisions are wanted.
 struct Selection {

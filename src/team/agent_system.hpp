@@ -143,8 +143,8 @@ class AgentSystem final : public Agents {
       return std::memcmp(&a.rows(column)[row], &b.rows(column)[other_row],
                          sizeof(a.rows(column)[row])) == 0;
     };
-    return std::apply([&](auto... member) { return (alike(member) && ...); },
-                      Platform::Controls::columns());
+    return with_lines(lines_of(Platform::Controls::columns()),
+                      [&](auto... member) { return (alike(member) && ...); });
   }
   bool look_again(const sim::World& before, const sim::World& after, PlayerId who,
                   std::span<const sim::Order> orders,

@@ -83,6 +83,7 @@ struct Decision {
   std::vector<Changed> overruled;
   std::vector<Value> state;
   std::vector<Perceived> perceived;
+  PlayerId attacks{};  ///< whom it attacks from then on, in truth; nobody if it has no target
 };
 
 /// "045°", "6000 ft", "467 kt"; "-" for no value, "never" for infinity. Headings and bearings are

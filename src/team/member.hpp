@@ -76,8 +76,7 @@ class RouteDone final : public ubf::Condition<typename Platform::State, typename
   static constexpr std::string_view type_name = "route_done";
   static constexpr std::string_view help = "the last waypoint of a route is behind";
   static constexpr auto params() {
-    return std::tuple{
-        param("route", &RouteDone::route_, range(0, 255), "which route of the flight")};
+    return Lines{param("route", &RouteDone::route_, range(0, 255), "which route of the flight")};
   }
   [[nodiscard]] bool holds(const ubf::Tick<typename Platform::State>& t) const override {
     const std::span<const model::Route> routes = t.state.routes();
@@ -99,7 +98,7 @@ class FollowLead : public ubf::Behavior<typename Platform::State, typename Platf
  public:
   static constexpr std::string_view type_name = "follow_lead";
   static constexpr auto params() {
-    return std::tuple{param("vote", &FollowLead::vote_, range(0, 1000), "how strongly")};
+    return Lines{param("vote", &FollowLead::vote_, range(0, 1000), "how strongly")};
   }
 
  protected:
@@ -147,7 +146,7 @@ class Navigate : public ubf::Behavior<typename Platform::State, typename Platfor
  public:
   static constexpr std::string_view type_name = "navigate";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("vote", &Navigate::vote_, range(0, 1000), "how strongly"),
         param("route", &Navigate::route_, range(0, 255), "which route of the flight, the first: 0"),
         param("speed", &Navigate::speed_, "m/s", Platform::speeds, Platform::speed_help)};

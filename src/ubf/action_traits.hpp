@@ -5,10 +5,10 @@
 
 #include <cstring>
 #include <memory>
-#include <tuple>
 #include <utility>
 
 #include "core/enum_names.hpp"
+#include "core/lines.hpp"
 #include "core/units.hpp"
 #include "ubf/blend.hpp"
 #include "ubf/memory.hpp"
@@ -61,20 +61,21 @@ template <class Blend, class Action, class T>
 
 /// Specialise once per action type, which is a struct of optionals, with every field once:
 ///   template <> struct ActionTraits<Action> {
-///     static constexpr auto fields = std::tuple{field<blend::Angle>("heading", ...), ...};
+///     static constexpr auto fields = Lines{field<blend::Angle>("heading", ...), ...};
 ///   };
 template <class Action>
 struct ActionTraits;
 
 template <class Action>
-inline constexpr std::size_t kFields =
-    std::tuple_size_v<std::remove_cvref_t<decltype(ActionTraits<Action>::fields)>>;
+inline constexpr auto kFieldLines = lines_of(ActionTraits<Action>::fields);
+template <class Action>
+inline constexpr std::size_t kFields = decltype(lines_of(ActionTraits<Action>::fields))::size();
 
 /// Calls `fn(field, i)` for each field in order; `i` is a std::integral_constant.
 template <class Action, class Fn>
 constexpr void for_each_field(Fn&& fn) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (fn(std::get<I>(ActionTraits<Action>::fields), std::integral_constant<std::size_t, I>{}), ...);
+    (fn(line<I>(kFieldLines<Action>), std::integral_constant<std::size_t, I>{}), ...);
   }
   (std::make_index_sequence<kFields<Action>>{});
 }
@@ -83,26 +84,24 @@ constexpr void for_each_field(Fn&& fn) {
 /// are counted by initialising an action with a value for every field listed and one more.
 template <class Action>
 [[nodiscard]] consteval bool fields_cover_action() {
-  return std::apply(
-      []<class... F>(const F&... f) {
-        const auto times_listed = [&](const auto& wanted) {
-          const auto is_it = [&]<class G>(const G& other) {
-            if constexpr (std::is_same_v<decltype(wanted.member), decltype(other.member)>)
-              return wanted.member == other.member;
-            else
-              return false;
-          };
-          return (std::size_t{0} + ... + (is_it(f) ? 1 : 0));
-        };
-        constexpr bool kEnough = requires {
-          Action{std::optional<typename F::Value>{}...};
-        };
-        constexpr bool kMore = requires {
-          Action{std::optional<typename F::Value>{}..., {}};
-        };
-        return kEnough && !kMore && (true && ... && (times_listed(f) == 1));
-      },
-      ActionTraits<Action>::fields);
+  return with_lines(kFieldLines<Action>, []<class... F>(const F&... f) {
+    const auto times_listed = [&](const auto& wanted) {
+      const auto is_it = [&]<class G>(const G& other) {
+        if constexpr (std::is_same_v<decltype(wanted.member), decltype(other.member)>)
+          return wanted.member == other.member;
+        else
+          return false;
+      };
+      return (std::size_t{0} + ... + (is_it(f) ? 1 : 0));
+    };
+    constexpr bool kEnough = requires {
+      Action{std::optional<typename F::Value>{}...};
+    };
+    constexpr bool kMore = requires {
+      Action{std::optional<typename F::Value>{}..., {}};
+    };
+    return kEnough && !kMore && (true && ... && (times_listed(f) == 1));
+  });
 }
 
 /// Empties every field. Writes the flags alone, which is cheaper than assigning a fresh Action.
@@ -141,11 +140,11 @@ struct ActionFieldInfo {
 namespace detail {
 template <class Action, std::size_t I>
 constexpr auto& member_of(Action& action) {
-  return action.*std::get<I>(ActionTraits<std::remove_const_t<Action>>::fields).member;
+  return action.*line<I>(kFieldLines<std::remove_const_t<Action>>).member;
 }
 template <class Action, std::size_t I>
 constexpr ActionFieldInfo action_field() {
-  constexpr auto kField = std::get<I>(ActionTraits<Action>::fields);
+  constexpr auto kField = line<I>(kFieldLines<Action>);
   using Field = std::remove_cvref_t<decltype(kField)>;
   using T = typename Field::Value;
   return {.name = kField.name,

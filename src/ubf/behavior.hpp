@@ -74,7 +74,7 @@ class Behavior : public AnyNode {
   using ActionType = Action;
 
   /// No parameters, unless the type says otherwise (core/describe.hpp).
-  [[nodiscard]] static constexpr auto params() { return std::tuple<>{}; }
+  [[nodiscard]] static constexpr auto params() { return Lines{}; }
 
   /// Recommends an action for this tick. `out` arrives empty; what is left in it when the answer
   /// is `failure` is ignored. Must not allocate, throw, lock or look at a clock.

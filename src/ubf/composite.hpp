@@ -143,7 +143,7 @@ class Voting : public Composite<State, Action> {
     return vote && vote_scale != 1 ? "give either 'vote' or 'vote_scale', not both" : "";
   }
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("vote", &Voting::vote, range(0, 1000), "fixed vote of what this node sends up"),
         param("vote_scale", &Voting::vote_scale, range(0, 1000),
               "factor on the vote of what this node sends up")};
@@ -151,7 +151,7 @@ class Voting : public Composite<State, Action> {
   /// The parameters of a node that has others besides.
   template <class... Own>
   [[nodiscard]] static constexpr auto with_vote(const Own&... own) {
-    return std::tuple_cat(std::tuple{own...}, Voting::params());
+    return joined(Lines{own...}, Voting::params());
   }
 
  protected:

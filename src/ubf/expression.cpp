@@ -163,6 +163,11 @@ class Parser {
     const auto sign = std::ranges::find_if(
         kComparisons, [&](const auto& c) { return text_.substr(at_).starts_with(c.sign); });
     if (sign == kComparisons.end()) {
+      static constexpr std::array<std::array<std::string_view, 2>, 5> kMeant{
+          {{"=>", ">="}, {"=<", "<="}, {"\u2264", "<="}, {"\u2265", ">="}, {"\u2260", "!="}}};
+      for (const auto& [written, meant] : kMeant)
+        if (text_.substr(at_).starts_with(written))
+          return fail(at_, "write '{}' for '{}'", meant, written);
       if (at_ < text_.size() && text_[at_] == '=')
         return fail(at_, "write '==' to compare");
       return flag(*left);
@@ -328,7 +333,10 @@ std::optional<std::vector<Instruction>> parse_expression(const Value& text,
 bool looks_like_expression(std::string_view text) {
   if (text.find_first_of("<>=!()") != text.npos || text.starts_with("not "))
     return true;
-  return text.find(" and ") != text.npos || text.find(" or ") != text.npos;
+  for (const std::string_view word : {" and ", " or ", "\u2264", "\u2265", "\u2260"})
+    if (text.find(word) != text.npos)
+      return true;
+  return false;
 }
 
 }  // namespace eyrie::ubf

@@ -84,8 +84,8 @@ class FieldSums {
 
  private:
   template <class... Field>
-  static std::tuple<SumOf<Field>...> sums_of(const std::tuple<Field...>&);
-  decltype(sums_of(ActionTraits<Action>::fields)) sums_;
+  static std::tuple<SumOf<Field>...> sums_of(const Lines<Field...>&);
+  decltype(sums_of(kFieldLines<Action>)) sums_;
 };
 
 /// Tells the trace which child each field of `node` came from: the strongest that set it, of those

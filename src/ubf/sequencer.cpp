@@ -14,8 +14,8 @@ constexpr std::size_t kMostTrees = 500;
 struct Link {
   static constexpr std::string_view type_name = "transition";
   static constexpr auto params() {
-    return std::tuple{param("from", &Link::from, "the tree that is left, or any").required(),
-                      param("to", &Link::to, "the tree that is entered").required()};
+    return Lines{param("from", &Link::from, "the tree that is left, or any").required(),
+                 param("to", &Link::to, "the tree that is entered").required()};
   }
   std::string from, to;
 };

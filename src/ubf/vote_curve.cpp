@@ -21,7 +21,7 @@ double logistic(double x) {
 struct Written {
   static constexpr std::string_view type_name = "vote";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("least", &Written::least, range(0, 1000), "never less than this"),
         param("of", &Written::of, "the state field that is looked at").required(),
         param("from", &Written::from, range(-1e12, 1e12), "where there is nothing of the vote"),

@@ -168,5 +168,19 @@ TEST(RunDifference, RefusesWorldsOfOtherTables) {
   EXPECT_NE(problem.find("other tables"), std::string::npos);
 }
 
+TEST(RunDifference, ComparesTreesThatRememberOtherThings) {
+  const Recorded run = recorded_flight("merge", 20, 8);
+  const Recorded other =
+      recorded_flight("merge", 20, 8, {"trees.dogfight={timeout: {after: 5 s, child: navigate}}"});
+  ASSERT_NE(run.run.layout_hash, other.run.layout_hash);
+  std::string problem;
+  const auto found = compare(run, other, problem);
+  ASSERT_TRUE(found) << problem;
+  EXPECT_EQ(found->world.value().text, "the trees of one remember more than those of the other");
+  ASSERT_TRUE(found->action && found->event);
+  EXPECT_EQ(found->action->text.find("viper1: "), 0U) << found->action->text;
+  EXPECT_LE(found->event->time, 20);
+}
+
 }  // namespace
 }  // namespace eyrie::test

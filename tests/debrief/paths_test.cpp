@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "record/names.hpp"
 #include "support/recorded.hpp"
 
 namespace eyrie::record {
@@ -31,6 +35,79 @@ TEST(Paths, KeepLessOftenWhatIsLong) {
     EXPECT_EQ(few[i].place.latitude,
               whole[static_cast<std::size_t>(few[i].time + 0.5)].place.latitude);
   }
+}
+
+/// Where everybody was in every step, and where missiles and who crashed ended.
+struct Places : sim::Observer {
+  explicit Places(const scenario::Scenario& flown) : scenario(flown) {}
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override {
+    const double time = info.time_after();
+    for (const sim::Event& e : events)
+      if (const auto fate = fate_of(e); fate && fate->who == e.who)
+        all[{e.who.value, time}] = e.place;
+    scenario.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
+      all[{id.value, time}] = fleet.motion(world, row).position;
+    });
+    for (std::size_t i = 0; i < world.rows(scenario.missiles.table); ++i)
+      all[{world.ids(scenario.missiles.table)[i].value, time}] =
+          world.rows(scenario.missiles.kinematics)[i].position;
+  }
+  const scenario::Scenario& scenario;
+  std::map<std::pair<std::uint32_t, double>, Vec3> all;
+};
+
+TEST(Paths, EndWhereEverybodyWasAtThatTime) {
+  const debrief::Recorded recorded = test::recorded_flight("merge", 600);
+  Paths paths(*recorded.scenario);
+  Places places(*recorded.scenario);
+  debrief::Reflight flight(recorded);
+  flight.attach(paths);
+  flight.attach(places);
+  while (flight.step()) {
+  }
+  paths.finish(flight.after());
+  std::size_t gone = 0, missiles = 0;
+  for (const auto& [id, path] : paths.all()) {
+    const Path::Point& last = path.points.back();
+    ASSERT_TRUE(places.all.contains({id, last.time})) << path.name << " at " << last.time;
+    const Geodetic is =
+        recorded.scenario->library->reference.to_geodetic(places.all.at({id, last.time}));
+    EXPECT_EQ(last.place.latitude, is.latitude) << path.name;
+    EXPECT_EQ(last.place.altitude, is.altitude) << path.name;
+    gone += !path.end.empty();
+    missiles += path.kind == "missile";
+  }
+  EXPECT_GE(gone, 2U);
+  EXPECT_GE(missiles, 1U);
+}
+
+TEST(Paths, TellWhomAircraftAttack) {
+  const debrief::Recorded recorded = test::recorded_flight("merge", 60);
+  Paths paths(*recorded.scenario);
+  debrief::Reflight flight(recorded);
+  flight.attach(paths);
+  while (flight.step()) {
+  }
+  paths.finish(flight.after());
+  std::size_t aimed = 0;
+  for (const auto& feature : nlohmann::json::parse(geojson(paths))["features"])
+    if (feature["properties"]["name"] == "viper1" && feature["properties"].contains("target")) {
+      ++aimed;
+      EXPECT_NE(feature["properties"]["target"], "viper1");
+    }
+  EXPECT_GT(aimed, 10U);
+  EXPECT_LT(aimed, 60U) << "not before he is seen";
+}
+
+TEST(Paths, OfNoStepAreWherePlayersBegin) {
+  const auto scenario = test::load_scenario("merge");
+  Paths paths(*scenario);
+  const sim::World world = scenario->world(8);
+  paths.begin(world, scenario->simulation->dt());
+  paths.finish(world);
+  EXPECT_NE(czml(paths).find("\"viper1\""), std::string::npos);
+  EXPECT_NE(geojson(paths).find("\"viper1\""), std::string::npos);
 }
 
 TEST(Paths, HaveNoNegativeZeros) {

@@ -85,7 +85,7 @@ void expect_lossless(const std::string& scenario, double until) {
   }
 
   Statement row = run.database.prepare("SELECT * FROM decisions");
-  std::size_t rows = 0;
+  std::size_t rows = 0, somebody = 0, nobody = 0;
   for (; row.step(); ++rows) {
     const std::string who = row.text(2);
     const auto at = by_name.find({who, row.integer(1)});
@@ -101,8 +101,18 @@ void expect_lossless(const std::string& scenario, double until) {
               d.leader == ubf::kNone ? "" : d.nodes[d.leader].path)
         << what();
     ASSERT_NO_FATAL_FAILURE(expect_same_action(row, 9, d.nodes[0].action, columns)) << what();
+    for (const debrief::Value& order : d.nodes[0].action)
+      if (order.name == "target") {
+        std::string attacked;
+        for (const debrief::Perceived& one : d.perceived)
+          if ((one.kind == "target" || one.kind == "track") && one.number == *order.number)
+            attacked = roster.name(one.truth);
+        ASSERT_EQ(row.is_null(8) ? "" : row.text(8), attacked) << what();
+        (attacked.empty() ? nobody : somebody) += 1;
+      }
   }
   EXPECT_EQ(rows, decisions.size());
+  EXPECT_GT(somebody + nobody, scenario == "convoy" ? 0U : 100U);
 
   std::map<std::string, std::size_t> place;  // of a node, by tree and path
   for (const Decision& d : decisions)

@@ -173,7 +173,7 @@ struct Datalink {
   static constexpr std::string_view type_name = "datalink";
   static constexpr std::string_view help = "messages between the members of a flight";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("rate", &Datalink::rate, "Hz", eyrie::range(0.05, 50), "messages per second"),
         param("delay", &Datalink::delay, "s", eyrie::range(0, 60),
               "from what a message describes to its use by the receiver"),

@@ -33,7 +33,7 @@ struct Engine {
   static constexpr std::string_view help = "thrust and fuel flow of all engines of an aircraft";
   static constexpr auto params() {
     using E = Engine;
-    return std::tuple{
+    return Lines{
         param("military", &E::military, axis("mach", {}), axis("altitude", "m"), "N", positive(1e7),
               "installed thrust of all engines at full power without afterburner")
             .required(),
@@ -106,7 +106,7 @@ struct Aerodynamics {
   static constexpr std::string_view help = "lift and drag of an aircraft over the Mach number";
   static constexpr auto params() {
     using A = Aerodynamics;
-    return std::tuple{
+    return Lines{
         param("wing_area", &A::wing_area, "m2", range(1, 1000), "of all coefficients").required(),
         param("zero_lift_drag", &A::zero_lift_drag, axis("mach", {}), {}, range(1e-4, 1),
               "C_D0, without stores")
@@ -137,7 +137,7 @@ struct FlightLimits {
   static constexpr std::string_view help = "what structure and flight controls allow";
   static constexpr auto params() {
     using L = FlightLimits;
-    return std::tuple{
+    return Lines{
         param("max_load_factor", &L::max_load_factor, range(1, 20), "g"),
         param("min_load_factor", &L::min_load_factor, range(-10, 0), "g"),
         param("load_factor_rate", &L::load_factor_rate, range(0.1, 100),
@@ -165,7 +165,7 @@ struct Airframe {
   static constexpr std::string_view help = "mass, aerodynamics, engines, limits and autopilot";
   static constexpr auto params() {
     using A = Airframe;
-    return std::tuple{
+    return Lines{
         param("empty_mass", &A::empty_mass, "kg", range(100, 500e3),
               "ready to fly, without fuel and stores")
             .required(),

@@ -28,7 +28,7 @@ struct Autopilot {
   static constexpr std::string_view help = "holds heading, altitude and speed; routes, formation";
   static constexpr auto params() {
     using A = Autopilot;
-    return std::tuple{
+    return Lines{
         param("guidance", &A::guidance, "gains of route, follow and loiter guidance"),
         param("heading_time", &A::heading_time, "s", range(0.1, 60),
               "heading error over turn rate"),

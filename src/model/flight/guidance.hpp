@@ -60,7 +60,7 @@ struct GuidanceGains {
   static constexpr std::string_view help = "gains of route, follow and loiter guidance";
   static constexpr auto params() {
     using G = GuidanceGains;
-    return std::tuple{
+    return Lines{
         param("follow_forward", &G::follow_forward, "Hz", range(0.001, 1),
               "follow: closing speed per distance behind the place in formation"),
         param("follow_across", &G::follow_across, "Hz", range(0.001, 1),

@@ -28,7 +28,7 @@ struct Laero {
   static constexpr std::string_view help = "rate limits of heading, altitude and speed";
   static constexpr auto params() {
     using L = Laero;
-    return std::tuple{
+    return Lines{
         param("max_turn_rate", &L::max_turn_rate, "rad/s", range(0.05, 60, "deg/s"),
               "of the heading"),
         param("max_bank", &L::max_bank, "rad", range(0.5, 85, "deg"),

@@ -25,7 +25,7 @@ struct Irst {
   static constexpr std::string_view type_name = "irst";
   static constexpr std::string_view help = "infrared search and track: directions without ranges";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("reference_range", &Irst::reference_range, "m", range(100, 1e6),
               "range at which the reference intensity is found with even odds in one frame")
             .required(),

@@ -76,7 +76,7 @@ struct Radar {
   static constexpr std::string_view type_name = "radar";
   static constexpr std::string_view help = "air-to-air radar of a fighter";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("reference_range", &Radar::reference_range, "m", range(1e3, 1e6),
               "range at which the reference target is found with the reference probability")
             .required(),
@@ -224,7 +224,7 @@ struct Iff {
   static constexpr std::string_view type_name = "iff";
   static constexpr std::string_view help = "interrogator: a friend answers, nobody else does";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("range", &Iff::range, "m", eyrie::range(0, 1e6), "asks no target beyond"),
         param("reply_probability", &Iff::reply_probability, eyrie::range(0, 1),
               "chance that a friend's reply is received and decoded"),

@@ -63,7 +63,7 @@ struct Rwr {
   static constexpr std::string_view type_name = "rwr";
   static constexpr std::string_view help = "radar warning receiver";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("insensitivity", &Rwr::insensitivity, "dB", range(0, 200),
               "how much more power than the radar's own receiver, antenna gain included, it needs"),
         param("sigma_bearing", &Rwr::sigma_bearing, "rad", range(0, 85, "deg"),

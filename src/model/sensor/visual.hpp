@@ -35,7 +35,7 @@ struct Visual {
   static constexpr std::string_view type_name = "visual";
   static constexpr std::string_view help = "the eyes of the pilot and the cockpit around them";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("rate", &Visual::rate, "Hz", eyrie::range(0.1, 50), "looks around per second"),
         param("search", &Visual::search, eyrie::range(0, 1e8),
               "acquisitions per second and steradian of target, nothing told where to look"),

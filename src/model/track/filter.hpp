@@ -22,7 +22,7 @@ struct Tracker {
   static constexpr std::string_view type_name = "tracker";
   static constexpr std::string_view help = "association, filter and life of tracks";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param(
             "rate", &Tracker::rate, "Hz", range(0.1, 100),
             "how often the tracks are looked after, the datalink is read and the beam is steered"),

@@ -19,7 +19,7 @@ struct Motion {
   static constexpr std::string_view type_name = "motion";
   static constexpr std::string_view help = "how a tracker expects its targets to move";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("wander", &Motion::wander, "m/s", range(0, 100),
               "random walk of the velocity of a target that flies straight: so much in one second, "
               "1-sigma per axis"),

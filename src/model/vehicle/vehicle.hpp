@@ -38,7 +38,7 @@ struct VehicleType {
   static constexpr std::string_view help = "a type of ground vehicle";
   static constexpr auto params() {
     using V = VehicleType;
-    return std::tuple{
+    return Lines{
         param("label", &V::label, "name in the story and in Tacview").items(1, 40).required(),
         param("entity_type", &V::entity_type, kEntityTypeHelp).items(3, 27),
         param("wheelbase", &V::wheelbase, "m", range(0.5, 20), "from axle to axle"),

@@ -31,7 +31,7 @@ struct Dispenser {
   static constexpr std::string_view help = "a dispenser of chaff, flares and towed decoys";
   static constexpr auto params() {
     using D = Dispenser;
-    return std::tuple{
+    return Lines{
         param("chaff", &D::chaff, range(0, 1000), "cartridges of chaff when loaded"),
         param("flares", &D::flares, range(0, 1000), "flares when loaded"),
         param("interval", &D::interval, "s", range(0.02, 60),

@@ -44,7 +44,7 @@ struct GunType {
   static constexpr std::string_view help = "an aircraft's gun";
   static constexpr auto params() {
     using G = GunType;
-    return std::tuple{
+    return Lines{
         param("label", &G::label, "name in the story").items(1, 40).required(),
         param("entity_type", &G::entity_type,
               "SISO-REF-010 number by which other simulations know its rounds")

@@ -29,7 +29,7 @@ struct Motor {
   static constexpr std::string_view type_name = "motor";
   static constexpr std::string_view help = "mass and thrust over the time since launch";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("mass", &Motor::mass, axis("time", "s"), "kg", positive(20e3), "the whole missile")
             .required(),
         param("thrust", &Motor::thrust, axis("time", "s"), "N", range(0, 2e6), "at sea level")
@@ -52,7 +52,7 @@ struct MissileAero {
   static constexpr std::string_view help = "lift and drag of a missile";
   static constexpr auto params() {
     using A = MissileAero;
-    return std::tuple{
+    return Lines{
         param("reference_area", &A::reference_area, "m2", positive(10), "of all coefficients")
             .required(),
         param("drag_power_on", &A::drag_power_on, axis("mach", {}), {}, positive(100),
@@ -80,7 +80,7 @@ struct Loft {
   static constexpr std::string_view type_name = "loft";
   static constexpr std::string_view help = "aims above a distant target to fly in thin air";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("angle", &Loft::angle, "rad", range(0, 60, "deg"), "above the line to the target"),
         param("end_range", &Loft::end_range, "m", positive(500e3), "nearer targets are aimed at"),
         param("ceiling", &Loft::ceiling, "m", positive(100e3), "never aims above this altitude")};
@@ -100,18 +100,18 @@ struct MissileGuidance {
   static constexpr std::string_view help = "proportional navigation and what surrounds it";
   static constexpr auto params() {
     using G = MissileGuidance;
-    return std::tuple{param("navigation_gain", &G::navigation_gain, range(1, 10),
-                            "N: acceleration per closing speed and line-of-sight rate"),
-                      param("autopilot_lag", &G::autopilot_lag, "s", positive(10),
-                            "first-order lag from wanted to achieved acceleration"),
-                      param("lag_speed", &G::lag_speed, "m/s", positive(10e3),
-                            "equivalent airspeed below which the lag grows with its inverse, as "
-                            "the airframe gets slower; null: never"),
-                      param("separation_time", &G::separation_time, "s", range(0, 60),
-                            "flies straight for this long after launch"),
-                      param("link_interval", &G::link_interval, "s", positive(60),
-                            "between midcourse updates from the shooter; null: it has no link"),
-                      param("loft", &G::loft, "null: it never lofts")};
+    return Lines{param("navigation_gain", &G::navigation_gain, range(1, 10),
+                       "N: acceleration per closing speed and line-of-sight rate"),
+                 param("autopilot_lag", &G::autopilot_lag, "s", positive(10),
+                       "first-order lag from wanted to achieved acceleration"),
+                 param("lag_speed", &G::lag_speed, "m/s", positive(10e3),
+                       "equivalent airspeed below which the lag grows with its inverse, as "
+                       "the airframe gets slower; null: never"),
+                 param("separation_time", &G::separation_time, "s", range(0, 60),
+                       "flies straight for this long after launch"),
+                 param("link_interval", &G::link_interval, "s", positive(60),
+                       "between midcourse updates from the shooter; null: it has no link"),
+                 param("loft", &G::loft, "null: it never lofts")};
   }
 };
 
@@ -126,7 +126,7 @@ struct Warhead {
   static constexpr std::string_view help = "proximity fuze and kill probability";
   static constexpr auto params() {
     using W = Warhead;
-    return std::tuple{
+    return Lines{
         param("arming_time", &W::arming_time, "s", range(0, 60), "after launch"),
         param("fuze_range", &W::fuze_range, "m", positive(1000),
               "fires at the closest approach to anybody nearer than this"),
@@ -162,7 +162,7 @@ struct MissileType {
   static constexpr std::string_view help = "an air-to-air missile";
   static constexpr auto params() {
     using M = MissileType;
-    return std::tuple{
+    return Lines{
         param("label", &M::label, "name in the story").items(1, 40).required(),
         param("entity_type", &M::entity_type, kEntityTypeHelp).items(3, 27),
         param("emitter", &M::emitter, kEmitterHelp).items(1, 5),

@@ -40,7 +40,7 @@ struct SeekerType {
   static constexpr std::string_view help = "the sensor of a missile";
   static constexpr auto params() {
     using S = SeekerType;
-    return std::tuple{
+    return Lines{
         param("kind", &S::kind, "radar (active) or infrared").required(),
         param("detection_range", &S::detection_range, "m", positive(500e3),
               "detection range of the reference signature")

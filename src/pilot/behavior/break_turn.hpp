@@ -33,7 +33,7 @@ class BreakTurn final : public ubf::WithMemory<Behavior, BreakMemory> {
   static constexpr std::string_view help = "turns into a far missile, breaks away from a near one";
   static constexpr auto params() {
     using B = BreakTurn;
-    return std::tuple{
+    return Lines{
         param("vote", &B::vote_, range(0, 1000), "how strongly in the far phase"),
         param("near_vote", &B::near_vote_, range(0, 1000), "how strongly in the near phase"),
         param("danger_range", &B::danger_range_, "m", range(0, 50e3), "inside this range, break"),

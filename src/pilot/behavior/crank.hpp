@@ -17,14 +17,13 @@ class Crank final : public Maneuver {
       "keeps the target near the radar's gimbal while an own missile flies";
   static constexpr auto params() {
     using C = Crank;
-    return std::tuple_cat(
+    return joined(
         Maneuver::params(),
-        std::tuple{
-            param("angle", &C::angle_, "rad", range(0, 85, "deg"), "of the target off the nose"),
-            param("margin", &C::margin_, "rad", range(0, 60, "deg"),
-                  "to keep from the edge of the gimbal"),
-            param("support", &C::support_, "true: no longer than the missile needs the radar"),
-            param("descend", &C::descend_, "m", range(0, 10e3), "below the present altitude")});
+        Lines{param("angle", &C::angle_, "rad", range(0, 85, "deg"), "of the target off the nose"),
+              param("margin", &C::margin_, "rad", range(0, 60, "deg"),
+                    "to keep from the edge of the gimbal"),
+              param("support", &C::support_, "true: no longer than the missile needs the radar"),
+              param("descend", &C::descend_, "m", range(0, 10e3), "below the present altitude")});
   }
 
   Crank() {

@@ -42,9 +42,9 @@ class Evade final : public ubf::WithMemory<Maneuver, EvadeMemory> {
   static constexpr std::string_view help = kDefault.help;
   static constexpr auto params() {
     using E = Evade;
-    return std::tuple_cat(
+    return joined(
         Maneuver::params(),
-        std::tuple{
+        Lines{
             param("against", &E::against_, "missile, radar or fighter; each includes those before"),
             param("within", &E::within_, "s", range(0, 120),
                   "answers a missile that is here so soon"),

@@ -17,11 +17,11 @@ class LeadPursuit final : public Maneuver {
   static constexpr std::string_view help = "points ahead of the target, where the paths meet";
   static constexpr auto params() {
     using L = LeadPursuit;
-    return std::tuple_cat(Maneuver::params(),
-                          std::tuple{param("gun_range", &L::gun_range_, "m", range(0, 10e3),
-                                           "nearer than this it aims the gun"),
-                                     param("cash_in", &L::cash_in_, "rad", range(0, 85, "deg"),
-                                           "nearer to the aim it pulls all that the wing gives")});
+    return joined(Maneuver::params(),
+                  Lines{param("gun_range", &L::gun_range_, "m", range(0, 10e3),
+                              "nearer than this it aims the gun"),
+                        param("cash_in", &L::cash_in_, "rad", range(0, 85, "deg"),
+                              "nearer to the aim it pulls all that the wing gives")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -39,15 +39,15 @@ class Snapshot final : public Maneuver {
   static constexpr std::string_view help = "fires the gun as a target that crosses passes the nose";
   static constexpr auto params() {
     using S = Snapshot;
-    return std::tuple_cat(
+    return joined(
         Maneuver::params(),
-        std::tuple{param("within", &S::within_, "m", range(50, 5000), "fires no farther"),
-                   param("wait", &S::wait_, "s", range(0, 20), "for the target to pass the nose"),
-                   param("ahead", &S::ahead_, "s", range(0, 5), "fires so long before it does"),
-                   param("max_age", &S::max_age_, "s", range(0, 60),
-                         "not at a target that nobody has seen for longer"),
-                   param("clear_cone", &S::clear_cone_, "rad", range(0, 30, "deg"),
-                         "no friend may be within this angle of the line of fire")});
+        Lines{param("within", &S::within_, "m", range(50, 5000), "fires no farther"),
+              param("wait", &S::wait_, "s", range(0, 20), "for the target to pass the nose"),
+              param("ahead", &S::ahead_, "s", range(0, 5), "fires so long before it does"),
+              param("max_age", &S::max_age_, "s", range(0, 60),
+                    "not at a target that nobody has seen for longer"),
+              param("clear_cone", &S::clear_cone_, "rad", range(0, 30, "deg"),
+                    "no friend may be within this angle of the line of fire")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -73,9 +73,8 @@ class LagPursuit final : public Maneuver {
   static constexpr std::string_view type_name = "lag_pursuit";
   static constexpr std::string_view help = "points behind the target, where he was";
   static constexpr auto params() {
-    return std::tuple_cat(Maneuver::params(),
-                          std::tuple{param("lag", &LagPursuit::lag_, "s", range(0.1, 20),
-                                           "points where the target was so long ago")});
+    return joined(Maneuver::params(), Lines{param("lag", &LagPursuit::lag_, "s", range(0.1, 20),
+                                                  "points where the target was so long ago")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -92,14 +91,13 @@ class HighYoYo final : public Maneuver {
   static constexpr std::string_view help = "pulls up out of the target's turn instead of passing";
   static constexpr auto params() {
     using H = HighYoYo;
-    return std::tuple_cat(
+    return joined(
         Maneuver::params(),
-        std::tuple{
-            param("angle", &H::angle_, "rad", range(0, 85, "deg"), "points so far above him"),
-            param("closing", &H::closing_, "m/s", range(0, 1000), "slower closing is kept"),
-            param("crossing", &H::crossing_, "rad", range(0, 180, "deg"),
-                  "flatter crossing is kept"),
-            param("within", &H::within_, "m", range(0, 50e3), "of the target")});
+        Lines{param("angle", &H::angle_, "rad", range(0, 85, "deg"), "points so far above him"),
+              param("closing", &H::closing_, "m/s", range(0, 1000), "slower closing is kept"),
+              param("crossing", &H::crossing_, "rad", range(0, 180, "deg"),
+                    "flatter crossing is kept"),
+              param("within", &H::within_, "m", range(0, 50e3), "of the target")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -119,13 +117,13 @@ class LowYoYo final : public Maneuver {
   static constexpr std::string_view help = "cuts inside the target's turn, below him";
   static constexpr auto params() {
     using L = LowYoYo;
-    return std::tuple_cat(Maneuver::params(),
-                          std::tuple{param("angle", &L::angle_, "rad", range(0, 85, "deg"),
-                                           "points so far below him"),
-                                     param("closing", &L::closing_, "m/s", range(-1000, 1000),
-                                           "faster closing needs no help"),
-                                     param("off_nose", &L::off_nose_, "rad", range(0, 180, "deg"),
-                                           "nearer to the nose he needs no help")});
+    return joined(
+        Maneuver::params(),
+        Lines{param("angle", &L::angle_, "rad", range(0, 85, "deg"), "points so far below him"),
+              param("closing", &L::closing_, "m/s", range(-1000, 1000),
+                    "faster closing needs no help"),
+              param("off_nose", &L::off_nose_, "rad", range(0, 180, "deg"),
+                    "nearer to the nose he needs no help")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -158,12 +156,11 @@ class MergeTurn final : public ubf::WithMemory<Maneuver, TurnMemory> {
   static constexpr std::string_view help = "turns round after the pass, on one circle or on two";
   static constexpr auto params() {
     using M = MergeTurn;
-    return std::tuple_cat(
-        Maneuver::params(),
-        std::tuple{param("circle", &M::circle_, "one, two or best"),
-                   param("off_nose", &M::off_nose_, "rad", range(5, 177, "deg"),
-                         "he has been passed when he is farther off the nose"),
-                   param("within", &M::within_, "m", range(0, 50e3), "of the target")});
+    return joined(Maneuver::params(),
+                  Lines{param("circle", &M::circle_, "one, two or best"),
+                        param("off_nose", &M::off_nose_, "rad", range(5, 177, "deg"),
+                              "he has been passed when he is farther off the nose"),
+                        param("within", &M::within_, "m", range(0, 50e3), "of the target")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -188,13 +185,12 @@ class Reacquire final : public ubf::WithMemory<Maneuver, LostMemory> {
       "turns to where a lost target was last known; for arbiters, which ask it while it is known";
   static constexpr auto params() {
     using R = Reacquire;
-    return std::tuple_cat(
-        Maneuver::params(),
-        std::tuple{param("memory", &R::memory_, "s", range(0, 600), "looks for so long"),
-                   param("extrapolated", &R::extrapolated_, "s", range(0, 600),
-                         "believes for so long that the target kept its course"),
-                   param("within", &R::within_, "m", range(0, 500e3),
-                         "a target that was lost farther away is let go")});
+    return joined(Maneuver::params(),
+                  Lines{param("memory", &R::memory_, "s", range(0, 600), "looks for so long"),
+                        param("extrapolated", &R::extrapolated_, "s", range(0, 600),
+                              "believes for so long that the target kept its course"),
+                        param("within", &R::within_, "m", range(0, 500e3),
+                              "a target that was lost farther away is let go")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -217,11 +213,11 @@ class Jink final : public ubf::WithMemory<Maneuver, JinkMemory> {
   static constexpr std::string_view help = "spoils the aim of a gun behind";
   static constexpr auto params() {
     using J = Jink;
-    return std::tuple_cat(
+    return joined(
         Maneuver::params(),
-        std::tuple{param("within", &J::within_, "m", range(0, 10e3), "reach of his gun"),
-                   param("cone", &J::cone_, "rad", range(0, 85, "deg"), "his nose is this near"),
-                   param("period", &J::period_, "s", range(0.1, 20), "of one pull")});
+        Lines{param("within", &J::within_, "m", range(0, 10e3), "reach of his gun"),
+              param("cone", &J::cone_, "rad", range(0, 85, "deg"), "his nose is this near"),
+              param("period", &J::period_, "s", range(0.1, 20), "of one pull")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -238,9 +234,8 @@ class Extend final : public Maneuver {
   static constexpr std::string_view type_name = "extend";
   static constexpr std::string_view help = "unloads and runs straight away from the target";
   static constexpr auto params() {
-    return std::tuple_cat(Maneuver::params(),
-                          std::tuple{param("dive", &Extend::dive_, "rad", range(0, 85, "deg"),
-                                           "below the horizontal")});
+    return joined(Maneuver::params(), Lines{param("dive", &Extend::dive_, "rad",
+                                                  range(0, 85, "deg"), "below the horizontal")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -257,12 +252,11 @@ class AvoidCollision final : public Behavior {
   static constexpr std::string_view help = "keeps clear of other aircraft";
   static constexpr auto params() {
     using A = AvoidCollision;
-    return std::tuple{
-        param("vote", &A::vote_, range(0, 1000), "how strongly"),
-        param("miss", &A::miss_, "m", range(10, 5e3), "smallest distance to pass at"),
-        param("warning", &A::warning_, "s", range(0.1, 60), "how far ahead it looks"),
-        param("load_factor", &A::load_factor_, range(1, 12), "g, the most it turns with"),
-        param("floor", &A::floor_, "m", range(0, 25e3), "dives no lower")};
+    return Lines{param("vote", &A::vote_, range(0, 1000), "how strongly"),
+                 param("miss", &A::miss_, "m", range(10, 5e3), "smallest distance to pass at"),
+                 param("warning", &A::warning_, "s", range(0.1, 60), "how far ahead it looks"),
+                 param("load_factor", &A::load_factor_, range(1, 12), "g, the most it turns with"),
+                 param("floor", &A::floor_, "m", range(0, 25e3), "dives no lower")};
   }
   Status tick(const Tick& t, Proposal& out) const override;
 

@@ -20,13 +20,12 @@ class Policy final : public Behavior {
   static constexpr std::string_view help = "flies by a learned network";
   static constexpr auto params() {
     using P = Policy;
-    return std::tuple{
-        param("file", &P::file_,
-              "of the network, beside the file that names it: .safetensors, at most 12 MB "
-              "(docs/howto/fly-a-policy.md)")
-            .items(1, 1000)
-            .required(),
-        param("vote", &P::vote_, range(0, 1000), "how strongly")};
+    return Lines{param("file", &P::file_,
+                       "of the network, beside the file that names it: .safetensors, at most 12 MB "
+                       "(docs/howto/fly-a-policy.md)")
+                     .items(1, 1000)
+                     .required(),
+                 param("vote", &P::vote_, range(0, 1000), "how strongly")};
   }
 
   [[nodiscard]] std::size_t memory_bytes() const noexcept override;

@@ -30,9 +30,9 @@ class Pursue final : public Maneuver {
   static constexpr std::string_view help = "goes after the chosen target";
   static constexpr auto params() {
     using P = Pursue;
-    return std::tuple_cat(
+    return joined(
         Maneuver::params(),
-        std::tuple{
+        Lines{
             param("mode", &P::mode_, "follow, intercept or lead"),
             param("overtake", &P::overtake_, "m/s", range(0, 500),
                   "nearer than level_range, at most so much faster than the target; null: never "

@@ -36,7 +36,7 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
   static constexpr std::string_view help = "releases a missile inside its employment zone";
   static constexpr auto params() {
     using R = ReleaseWeapon;
-    return std::tuple{
+    return Lines{
         param("vote", &R::vote_, range(0, 1000), "how strongly"),
         param("zone", &R::zone_, range(0.1, 5),
               "how far out it shoots, in multiples of a range of the zone, and no farther than "

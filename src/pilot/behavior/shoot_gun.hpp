@@ -21,7 +21,7 @@ class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
   static constexpr std::string_view help = "fires the gun when the sight is on the target";
   static constexpr auto params() {
     using G = ShootGun;
-    return std::tuple{
+    return Lines{
         param("vote", &G::vote_, range(0, 1000), "how strongly"),
         param("range", &G::range_, "m", range(50, 5000),
               "fires no farther; null: as far as the gun is good for"),

@@ -13,9 +13,9 @@ class Navigate final : public team::Navigate<Platform> {
  public:
   static constexpr std::string_view help = "flies along the waypoints of the flight's route";
   static constexpr auto params() {
-    return std::tuple_cat(team::Navigate<Platform>::params(),
-                          std::tuple{param("load_factor", &Navigate::load_factor_, range(1, 12),
-                                           "g, the most it turns with")});
+    return joined(team::Navigate<Platform>::params(),
+                  Lines{param("load_factor", &Navigate::load_factor_, range(1, 12),
+                              "g, the most it turns with")});
   }
 
   Status tick(const Tick& t, Proposal& out) const override;
@@ -30,11 +30,11 @@ class FollowLead final : public team::FollowLead<Platform> {
  public:
   static constexpr std::string_view help = "keeps the own place in the wall formation";
   static constexpr auto params() {
-    return std::tuple_cat(
+    return joined(
         team::FollowLead<Platform>::params(),
-        std::tuple{param("load_factor", &FollowLead::load_factor_, range(1, 12),
-                         "g, the most it turns with"),
-                   param("floor", &FollowLead::floor_, "m", range(0, 25e3), "follows no lower")});
+        Lines{param("load_factor", &FollowLead::load_factor_, range(1, 12),
+                    "g, the most it turns with"),
+              param("floor", &FollowLead::floor_, "m", range(0, 25e3), "follows no lower")});
   }
 
   Status tick(const Tick& t, Proposal& out) const override;
@@ -54,7 +54,7 @@ class Egress final : public Behavior {
   static constexpr std::string_view type_name = "egress";
   static constexpr std::string_view help = "goes home, comes down and lands";
   static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("vote", &Egress::vote_, range(0, 1000), "how strongly"),
         param("route", &Egress::route_, range(0, 255),
               "which route of the flight leads home, the first: 0; null, or a route that the "
@@ -95,7 +95,7 @@ class AvoidGround final : public Behavior {
   static constexpr std::string_view help = "pulls up before the ground comes too near";
   static constexpr auto params() {
     using A = AvoidGround;
-    return std::tuple{
+    return Lines{
         param("vote", &A::vote_, range(0, 1000), "how strongly"),
         param("floor", &A::floor_, "m", range(0, 10e3), "altitude to stay above"),
         param("warning_time", &A::warning_time_, "s", range(0, 60), "how far ahead it looks"),

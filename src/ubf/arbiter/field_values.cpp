@@ -8,9 +8,8 @@ namespace {
 struct LimitsSpec {
   static constexpr std::string_view type_name = "limits";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{
-        param("min", &LimitsSpec::min, range(-1e9, 1e9), "least value that passes"),
-        param("max", &LimitsSpec::max, range(-1e9, 1e9), "greatest value that passes")};
+    return Lines{param("min", &LimitsSpec::min, range(-1e9, 1e9), "least value that passes"),
+                 param("max", &LimitsSpec::max, range(-1e9, 1e9), "greatest value that passes")};
   }
   std::optional<double> min, max;
 };
@@ -19,17 +18,16 @@ struct LimitsSpec {
 struct AxisSpec {
   static constexpr std::string_view type_name = "axis";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{
-        param("from", &AxisSpec::from, range(-1e9, 1e9), "the first candidate").required(),
-        param("to", &AxisSpec::to, range(-1e9, 1e9),
-              "the last one; of a whole circle the first again")
-            .required(),
-        param("steps", &AxisSpec::steps, range(2, 360), "how many candidates").required(),
-        param("reach", &AxisSpec::reach, positive(1e9),
-              "what a child asks for is worth 1, and so far from it -1")
-            .required(),
-        param("spread", &AxisSpec::spread, range(0, 1e9),
-              "standard deviation of what comes of a command (for utility)")};
+    return Lines{param("from", &AxisSpec::from, range(-1e9, 1e9), "the first candidate").required(),
+                 param("to", &AxisSpec::to, range(-1e9, 1e9),
+                       "the last one; of a whole circle the first again")
+                     .required(),
+                 param("steps", &AxisSpec::steps, range(2, 360), "how many candidates").required(),
+                 param("reach", &AxisSpec::reach, positive(1e9),
+                       "what a child asks for is worth 1, and so far from it -1")
+                     .required(),
+                 param("spread", &AxisSpec::spread, range(0, 1e9),
+                       "standard deviation of what comes of a command (for utility)")};
   }
   double from = 0, to = 0;
   std::uint32_t steps = 2;

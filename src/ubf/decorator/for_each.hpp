@@ -26,7 +26,7 @@ class ForEach final : public Decorator<State, Action> {
   static constexpr std::string_view type_name = "for_each";
   static constexpr std::string_view help = "asks its child once for each of several things";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("over", &ForEach::over, "the list of the state, such as tracks").required(),
         param("choose", &ForEach::choose, "the highest vote, or the first that does not fail")};
   }

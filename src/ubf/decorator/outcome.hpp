@@ -102,8 +102,8 @@ class Repeat final : public Repeating<State, Action> {
   static constexpr std::string_view type_name = "repeat";
   static constexpr std::string_view help = "a child over and over, as long as it succeeds";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{param("count", &Repeat::count, range(1, 1e9),
-                            "this many successes make a success; null: repeats for ever")};
+    return Lines{param("count", &Repeat::count, range(1, 1e9),
+                       "this many successes make a success; null: repeats for ever")};
   }
   using Repeating<State, Action>::Repeating;
 
@@ -124,8 +124,8 @@ class Retry final : public Repeating<State, Action> {
   static constexpr std::string_view type_name = "retry";
   static constexpr std::string_view help = "a child over and over, until it succeeds";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{param("attempts", &Retry::attempts, range(1, 1e9),
-                            "this many failures make a failure; null: tries for ever")};
+    return Lines{param("attempts", &Retry::attempts, range(1, 1e9),
+                       "this many failures make a failure; null: tries for ever")};
   }
   using Repeating<State, Action>::Repeating;
 
@@ -150,9 +150,8 @@ class RunOnce final : public WithMemory<Decorator<State, Action>, RunOnceMemory>
   static constexpr std::string_view type_name = "run_once";
   static constexpr std::string_view help = "does not ask a child again that has ended";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{
-        param("then", &RunOnce::then,
-              "what it answers from then on: what the child last did, or always that")};
+    return Lines{param("then", &RunOnce::then,
+                       "what it answers from then on: what the child last did, or always that")};
   }
   using WithMemory<Decorator<State, Action>, RunOnceMemory>::WithMemory;
 

@@ -36,9 +36,8 @@ class Timeout final : public Timing<State, Action> {
   static constexpr std::string_view type_name = "timeout";
   static constexpr std::string_view help = "fails and halts a child that runs for too long";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{
-        param("after", &Timeout::after, "s", positive(1e6), "how long the child may run")
-            .required()};
+    return Lines{param("after", &Timeout::after, "s", positive(1e6), "how long the child may run")
+                     .required()};
   }
   using Timing<State, Action>::Timing;
 
@@ -71,7 +70,7 @@ class Cooldown final : public Timing<State, Action> {
   static constexpr std::string_view type_name = "cooldown";
   static constexpr std::string_view help = "keeps a child that has ended from starting again";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("duration", &Cooldown::duration, "s", positive(1e6), "how long it stays shut")
             .required()};
   }
@@ -104,7 +103,7 @@ class Delay final : public Timing<State, Action> {
   static constexpr std::string_view type_name = "delay";
   static constexpr std::string_view help = "waits before it asks its child";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{
+    return Lines{
         param("duration", &Delay::duration, "s", positive(1e6), "how long it waits").required()};
   }
   using Timing<State, Action>::Timing;
@@ -137,9 +136,9 @@ class RateLimit final : public Timing<State, Action> {
   static constexpr std::string_view type_name = "rate_limit";
   static constexpr std::string_view help = "keeps a child from beginning too often";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{param("period", &RateLimit::period, "s", positive(1e6),
-                            "least time from one beginning to the next")
-                          .required()};
+    return Lines{param("period", &RateLimit::period, "s", positive(1e6),
+                       "least time from one beginning to the next")
+                     .required()};
   }
   using Timing<State, Action>::Timing;
 

@@ -15,8 +15,7 @@ class Holds final : public Condition<State, Action> {
   static constexpr std::string_view help = "holds if a comparison of state fields does";
   static constexpr std::string_view text_key = "that";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{
-        param("that", &Holds::that, "as in range < 10 nmi and not threatened").required()};
+    return Lines{param("that", &Holds::that, "as in range < 10 nmi and not threatened").required()};
   }
 
   std::string that;
