@@ -109,7 +109,7 @@ TEST(WebEngine, EndsAFlightAsARunThatWasStopped) {
   EXPECT_EQ(other.open(file_of(engine)).until, 1.0);
   std::string packed;
   EXPECT_EQ(other.page({}, packed).hash, half.hash);
-  EXPECT_EQ(other.outcome().outcome, "stopped");
+  EXPECT_EQ(record::decode(file_of(engine)).run.outcome, "stopped");
   EXPECT_THROW(engine.end_flight(), BadRequest);
 }
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnostics.hpp"
+
 namespace eyrie {
 namespace {
 
@@ -92,6 +94,12 @@ TEST(TextForPeople, SaysWhatItMustNotHold) {
   EXPECT_EQ(text_problem("\xed\xa0\x80"), "the byte \\xed, which is not UTF-8");  // a surrogate
   EXPECT_EQ(text_problem("a\u202Eb"), "the control character U+202E");
   EXPECT_EQ(text_problem("a\u2066b"), "the control character U+2066");
+}
+
+TEST(TextForPeople, NamesWhatOnlyLooksLikeABlankOrAMinus) {
+  EXPECT_EQ(quote("10\u00a0min"), "'10\u00a0min' (with the character U+00A0)");
+  EXPECT_EQ(quote("\u221268 deg"), "'\u221268 deg' (with the character U+2212)");
+  EXPECT_EQ(quote("10 min, -68\u00b0, \u00e9"), "'10 min, -68\u00b0, \u00e9'");
 }
 
 TEST(TextForPeople, IsCountedInCharacters) {

@@ -62,10 +62,9 @@ Decision printable_copy(Decision d) {
     for (std::string* text :
          {&answer.label, &answer.type, &answer.path, &answer.document, &answer.why})
       make(*text);
-  for (Perceived& one : d.perceived) {
-    make(one.kind);
-    make(one.name);
-  }
+  for (Perceived& one : d.perceived)
+    for (std::string* text : {&one.kind, &one.name})
+      make(*text);
   each_value(d, [&](Value& value) {
     for (std::string* text : {&value.name, &value.unit, &value.text})
       make(*text);

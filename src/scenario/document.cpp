@@ -12,6 +12,7 @@
 #include "core/version.hpp"
 #include "core/yaml.hpp"
 #include "scenario/changes.hpp"
+#include "scenario/data.hpp"
 #include "scenario/path.hpp"
 
 namespace eyrie::scenario {
@@ -354,7 +355,14 @@ std::string what_else(const Value& document, const std::string& file) {
     return "a package of trees and data: fly a scenario that includes it";
   if (document.find("optimize"))
     return "this is a search: eyrie optimize " + quote_path(file);
-  return document.find("measures") ? "this is a campaign: eyrie campaign " + quote_path(file) : "";
+  if (document.find("measures"))
+    return "this is a campaign: eyrie campaign " + quote_path(file);
+  const std::string_view model = model_in(document);
+  return model.empty() ? ""
+                       : fmt::format(
+                             "this is a model ({}): fly a scenario that names it "
+                             "(docs/howto/add-a-model.md)",
+                             model);
 }
 
 Value load_document(const std::string& file, Source& source, Diagnostics& diagnostics,

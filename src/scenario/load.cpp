@@ -43,11 +43,6 @@ class Loader {
     stop_if_wrong();
     if (const std::string other = what_else(document_, out_->file); !other.empty())
       diagnostics_.error({out_->file, 1, 1}, other);
-    else if (const std::string_view model = model_in(document_); !model.empty())
-      diagnostics_.error({out_->file, 1, 1},
-                         "this is a model ({}): fly a scenario that names it "
-                         "(docs/howto/add-a-model.md)",
-                         model);
     stop_if_wrong();
     apply_overrides(document_, out_->sets, diagnostics_);
     if (const Value* v = document_.find("plugins"))

@@ -48,6 +48,8 @@ TEST_F(SourceOnDisk, LooksUpDataBelowHomeWhateverTheWorkingFolder) {
   EXPECT_EQ(source.data_name("radars", "x"), "data/radars/x.yaml");
   EXPECT_EQ(source.read("data/radars/x.yaml"), "r: 1\n");
   EXPECT_EQ(source.files().count("data/radars/x.yaml"), 1u) << "no folder of this machine in a run";
+  ASSERT_TRUE(fs::exists("data/radars/apg63.yaml"));
+  EXPECT_EQ(source.read("data/radars/apg63.yaml"), std::nullopt) << "of the working folder";
 }
 
 /// The working folder has this file, too.

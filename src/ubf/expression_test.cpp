@@ -122,6 +122,9 @@ TEST(Expression, MistakesAreSaidWithTheirColumnAndTheNearestName) {
   EXPECT_EQ(said_of("phase < home"),
             "t.yaml:3:7: 'phase' is one of several: compare it with == or !=");
   EXPECT_EQ(said_of("range = 3 m"), "t.yaml:3:13: write '==' to compare");
+  EXPECT_EQ(said_of("range => 3 m"), "t.yaml:3:13: write '>=' for '=>'");
+  EXPECT_EQ(said_of("range \u2264 3 m"), "t.yaml:3:13: write '<=' for '\u2264'");
+  EXPECT_TRUE(looks_like_expression("range \u2265 3 m"));
   EXPECT_EQ(said_of("range < altitude < 3 m"),
             "t.yaml:3:24: compare two things at a time, as in 1 nmi < range and range < 10 nmi");
   EXPECT_EQ(said_of("range < count"), "t.yaml:3:15: 'count' cannot be compared with 'range'");

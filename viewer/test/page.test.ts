@@ -367,15 +367,13 @@ describe('two runs on one page', { skip: kNoProgram }, () => {
   const folder = scratch_folder();
 
   test('part where the program says, at one clock', async () => {
-    const set = 'trees.bvr.per_field.release_weapon.zone=1';
-    const { file, parting } = await two_runs(folder, [set]);
+    const { file, parting } = await two_runs(folder, ['trees.bvr.per_field.release_weapon.zone=1']);
     const who = /^(\w+): (\w+) leads\b.*? and (\w+) leads\b.* in the other$/.exec(parting.text);
     assert.ok(who, parting.text);
     const two = await open_file(browser, file, { fragment: `#p=${who[1]}`, width: 1600, height: 900 });
     await two.page.waitForSelector('body[data-ready=true]');
-    assert.equal(await two.page.evaluate(() => window.eyrie!.runs.length), 2);
-    assert.equal((await two.page.$$('.stage canvas')).length >= 2, true);
-    assert.deepEqual(await two.page.$$eval('.about .own', (all) => all.map((one) => one.textContent)), [set], 'in what they differ');
+    assert.deepEqual([await two.page.evaluate(() => window.eyrie!.runs.length), (await two.page.$$('.stage canvas')).length >= 2], [2, true]);
+    assert.deepEqual(await two.page.$$eval('.about .own', (all) => all.map((one) => one.textContent)), ['trees.bvr.per_field.release_weapon.zone=1']);
     const told = await two.page.$eval('[data-divergence-step]', (e) => ({ step: (e as HTMLElement).dataset['divergenceStep'], text: e.textContent! }));
     assert.equal(told.step, String(parting.step));
     assert.ok(told.text.includes(who[2]!) && told.text.includes(who[3]!), told.text);

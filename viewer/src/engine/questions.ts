@@ -197,6 +197,8 @@ export interface Engine {
   load(request: Load): Promise<About>;
   /** On with what was loaded; when it is over it has become a run. */
   fly(request: Until): Promise<Flown>;
+  /** Ends what was loaded where it is, as a run that was stopped. */
+  end_flight(): Promise<Flown>;
   /** The run file of what was flown to its end, or so far. */
   run_file(): Promise<Nothing & { bytes: Uint8Array }>;
   /** Opens a run file. */
