@@ -45,9 +45,8 @@ void each_value(Decision& d, Visit visit) {
 /// "#3 (bogey1)": as the agent knows it, and who it really was.
 std::string debrief_name(const Perceived& one, const scenario::Scenario& scenario,
                          const sim::World& world) {
-  return one.truth
-             ? fmt::format("#{} ({})", one.number, record::name_in(scenario, world, one.truth))
-             : fmt::format("#{}", one.number);
+  const std::string number = fmt::format("#{}", one.number);
+  return one.truth ? number + " (" + record::name_in(scenario, world, one.truth) + ")" : number;
 }
 
 using Json = nlohmann::ordered_json;
