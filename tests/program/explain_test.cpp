@@ -343,7 +343,6 @@ TEST(WhatIfProgram, FliesOnBothWaysAndOverManySeeds) {
   // branches: until then all fly alike, and the branch ends as if it had begun so
   const json said = asked("eagle4", {"--branch", "--seeds", "3"});
   EXPECT_NE(said["branch"]["player"], "eagle4");
-  EXPECT_LT(said["branch"]["step"], said["first"]["step"]);
   const auto ends_as = [&](const json& branch, const json& flight) {
     for (const char* side : {"blue", "red"})
       for (const char* what : {"losses", "shots", "kills", "home"})

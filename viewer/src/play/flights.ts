@@ -47,7 +47,7 @@ export class Flier {
     try {
       for (let until = kSlice; !flight.outcome; until += kSlice) {
         told(flight);
-        const flown: Flown = await (this.is_to_end ? engine.end_flight({}) : engine.fly({ until }));
+        const flown: Flown = await (this.is_to_end ? engine.end_flight() : engine.fly({ until }));
         flight = {
           ...flight, time: flown.time ?? 0, took: performance.now() - began, hash: flown.hash, story: [...flight.story, ...flown.story],
           ...(flown.result && { outcome: flown.result }),
