@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "campaign/query.hpp"
 #include "core/bind.hpp"
@@ -235,23 +234,32 @@ class Watcher final : public Watch {
 
   void check_phase(const MeasureSpec& spec, Diagnostics& wrong) const {
     std::vector<std::string> names, inner;
-    for (const auto& fleet : scenario_.fleets)
-      for (const ubf::AnyTree* tree : fleet->trees) {
-        auto* of = &names;  // the first sequencer of a tree is its outermost
-        for (std::size_t n = 0; n < tree->size(); ++n)
-          if (const auto& node = tree->node(static_cast<ubf::NodeIndex>(n)); node.is_sequencer()) {
-            for (const auto& child : node.children())
+    const auto note = [&](const ubf::AnyTree& tree) {
+      auto* of = &names;  // the first sequencer of a tree is its outermost
+      for (std::size_t n = 0; n < tree.size(); ++n)
+        if (const auto& node = tree.node(static_cast<ubf::NodeIndex>(n)); node.is_sequencer()) {
+          for (const auto& child : node.children())
+            if (child->node_kind() != ubf::Kind::condition)  // but a transition's
               of->emplace_back(child->label());
-            of = &inner;
-          }
-      }
+          of = &inner;
+        }
+    };
+    // those that somebody flies, or may be ordered to
+    scenario_.each_player(
+        *scenario_.start, [&](const scenario::Fleet& fleet, PlayerId, std::size_t row) {
+          if (!fleet.agents)
+            return;
+          const std::size_t now = fleet.agents->last_decision(*scenario_.start, row).tree;
+          for (std::size_t tree = 0; tree < fleet.trees.size(); ++tree)
+            if (tree == now || !scenario_.orders.empty())
+              note(*fleet.trees[tree]);
+        });
     if (std::ranges::find(names, spec.phase) != names.end())
       return;
     if (std::ranges::find(inner, spec.phase) != inner.end())
       wrong.error(spec.text.where_of("phase"),
-                  "{}: {} is a phase within another one; it counts those of a flight: {}",
-                  spec.name, quote(spec.phase),
-                  fmt::join(std::set<std::string>(names.begin(), names.end()), ", "));
+                  "{}: {} is a phase within another one; those of the outermost sequencer count",
+                  spec.name, quote(spec.phase));
     else
       wrong.error(spec.text.where_of("phase"), "{}: there is no phase {}{}", spec.name,
                   quote(spec.phase), nearest_or_all(spec.phase, names));

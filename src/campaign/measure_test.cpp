@@ -191,9 +191,13 @@ TEST(Measures, NameWhomAScenarioHas) {
             "m.yaml:1:36: m: there is no side, flight or player 'bogey3'; did you mean 'bogey'?");
   EXPECT_EQ(refusal("m: {what: time_in_phase, phase: bvrr}"),
             "m.yaml:1:33: m: there is no phase 'bvrr'; did you mean 'bvr'?");
-  EXPECT_EQ(refusal("m: {what: time_in_phase, phase: press}"),
-            "m.yaml:1:33: m: 'press' is a phase within another one; it counts those of a flight: "
-            "bvr, egress, ingress, wvr");
+  EXPECT_EQ(
+      refusal("m: {what: time_in_phase, phase: press}"),
+      "m.yaml:1:33: m: 'press' is a phase within another one; those of the outermost sequencer "
+      "count");
+  EXPECT_EQ(refusal("m: {what: time_in_phase, phase: bingo}")
+                .find("m.yaml:1:33: m: there is no phase 'bingo'"),
+            0U);
   EXPECT_EQ(refusal("m: {what: decision, node: persue}"),
             "m.yaml:1:27: m: no tree has a node 'persue'; did you mean 'pursue'?");
 }

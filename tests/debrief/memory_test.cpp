@@ -133,7 +133,7 @@ TEST(WhatIf, ForgetsWithAnOrderToUseTheTreeThatIsUsed) {
 
 std::vector<std::string> changes_of(const Recorded& run) {
   std::vector<std::string> all;
-  for (const Change& change : look(run, PlayerId{1}, {.changes = true}).changes)
+  for (const debrief::Change& change : look(run, PlayerId{1}, {.changes = true}).changes)
     all.push_back(
         fmt::format("{:.1f} {} -> {}: {}", change.now.time, change.from, change.to, change.why));
   return all;

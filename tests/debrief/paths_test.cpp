@@ -91,7 +91,8 @@ TEST(Paths, TellWhomAircraftAttack) {
   }
   paths.finish(flight.after());
   std::size_t aimed = 0;
-  for (const auto& feature : nlohmann::json::parse(geojson(paths))["features"])
+  const auto all = nlohmann::json::parse(geojson(paths));
+  for (const auto& feature : all["features"])
     if (feature["properties"]["name"] == "viper1" && feature["properties"].contains("target")) {
       ++aimed;
       EXPECT_NE(feature["properties"]["target"], "viper1");

@@ -122,7 +122,7 @@ test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kN
     const [own, ...others] = window.eyrie!.run.players.filter(({ index, side, end }) => index === 0 || (side === 'red' && !end)).map(({ motion }) => motion);
     return others.some(({ east, north }) => Math.hypot(east.at(-1)! - own!.east.at(-1)!, north.at(-1)! - own!.north.at(-1)!) < 50_000);
   });
-  await rate('4');
+  await rate('1');
   await page.keyboard.press('1');
   await page.waitForFunction(() => document.querySelector('.orders')?.getAttribute('aria-label')?.includes('eagle1'));
   await take_over();
