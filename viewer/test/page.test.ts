@@ -373,7 +373,7 @@ describe('two runs on one page', { skip: kNoProgram }, () => {
     const two = await open_file(browser, file, { fragment: `#p=${who[1]}`, width: 1600, height: 900 });
     await two.page.waitForSelector('body[data-ready=true]');
     assert.deepEqual([await two.page.evaluate(() => window.eyrie!.runs.length), (await two.page.$$('.stage canvas')).length >= 2], [2, true]);
-    assert.deepEqual(await two.page.$$eval('.about .own', (all) => all.map((one) => one.textContent)), ['trees.bvr.per_field.release_weapon.zone=1']);
+    assert.deepEqual(await two.page.$$eval('.about .own', (all) => all.map((one) => one.textContent)), ['release_weapon.zone=1']);
     const told = await two.page.$eval('[data-divergence-step]', (e) => ({ step: (e as HTMLElement).dataset['divergenceStep'], text: e.textContent! }));
     assert.equal(told.step, String(parting.step));
     assert.ok(told.text.includes(who[2]!) && told.text.includes(who[3]!), told.text);

@@ -13,11 +13,14 @@ import { use_page, type Page } from './page.ts';
 import { use_view } from './use.ts';
 import { copy_text } from './what_if.tsx';
 
+/** "release_weapon.zone=1.8" of an override: where it is cut, its end says more than its beginning. */
+const end_of = (set: string): string => /(?:[^.=]+\.)?[^.=]*=.*/s.exec(set)?.[0] ?? set;
+
 function About({ page: { run, letter, live, twin } }: { page: Page }) {
   const { about } = run;
   const other = twin?.run.about;
   const is_namesake = about.scenario === other?.scenario;
-  const own = is_namesake ? about.sets.filter((set) => !other?.sets.includes(set)).join(', ') : '';
+  const own = is_namesake ? about.sets.filter((set) => !other?.sets.includes(set)) : [];
   const decisions = run.players.reduce((sum, player) => sum + player.decisions.t.length, 0);
   const verified = run.engine && !run.is_part && !live ? `✓ same bits${run.verified ? ' as in the results' : ''}` : '';
   const why = `Flown again in this page: ${run.verified ?? 'every hash is the one that was recorded'}`;
@@ -31,7 +34,7 @@ function About({ page: { run, letter, live, twin } }: { page: Page }) {
   return (
     <details class="menu about">
       <summary title="About the run">
-        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b>{is_namesake && <span>seed {about.seed}</span>}{own && <span class="own" title={own}>{own}</span>}<span class="dim">{outcome_text(about.outcome)}</span>
+        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b>{is_namesake && <span>seed {about.seed}</span>}{own.length > 0 && <span class="own" title={own.join('\n')}>{own.map(end_of).join(', ')}</span>}<span class="dim">{outcome_text(about.outcome)}</span>
         {run.is_part && <span class="verified" role="status">flying it again …</span>}
         {verified && <span class="verified" title={why}>{verified}</span>}
       </summary>
