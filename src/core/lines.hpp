@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a description lists: values of several types, of which a compiler makes little work.
-/// The many constructors of std::tuple were half the time of compiling whatever includes a model.
+/// The many constructors of std::tuple were a third of compiling whatever includes a model.
 #include <tuple>
 #include <utility>
 

@@ -13,15 +13,22 @@
 namespace eyrie::record {
 namespace {
 
+/// The paths of the whole run.
+void watch(const debrief::Recorded& recorded, Paths& paths, sim::Observer* other = nullptr) {
+  debrief::Reflight flight(recorded);
+  flight.attach(paths);
+  if (other)
+    flight.attach(*other);
+  while (flight.step()) {
+  }
+  paths.finish(flight.after());
+}
+
 TEST(Paths, KeepLessOftenWhatIsLong) {
   const debrief::Recorded recorded = test::recorded_flight("merge", 60);
   const auto points = [&](std::size_t most) {
     Paths paths(*recorded.scenario, most);
-    debrief::Reflight flight(recorded);
-    flight.attach(paths);
-    while (flight.step()) {
-    }
-    paths.finish(flight.after());
+    watch(recorded, paths);
     return paths.all().at(1).points;
   };
   const auto whole = points(Paths::kMost), few = points(16);
@@ -61,12 +68,7 @@ TEST(Paths, EndWhereEverybodyWasAtThatTime) {
   const debrief::Recorded recorded = test::recorded_flight("merge", 600);
   Paths paths(*recorded.scenario);
   Places places(*recorded.scenario);
-  debrief::Reflight flight(recorded);
-  flight.attach(paths);
-  flight.attach(places);
-  while (flight.step()) {
-  }
-  paths.finish(flight.after());
+  watch(recorded, paths, &places);
   std::size_t gone = 0, missiles = 0;
   for (const auto& [id, path] : paths.all()) {
     const Path::Point& last = path.points.back();
@@ -85,11 +87,7 @@ TEST(Paths, EndWhereEverybodyWasAtThatTime) {
 TEST(Paths, TellWhomAircraftAttack) {
   const debrief::Recorded recorded = test::recorded_flight("merge", 60);
   Paths paths(*recorded.scenario);
-  debrief::Reflight flight(recorded);
-  flight.attach(paths);
-  while (flight.step()) {
-  }
-  paths.finish(flight.after());
+  watch(recorded, paths);
   std::size_t aimed = 0;
   const auto all = nlohmann::json::parse(geojson(paths));
   for (const auto& feature : all["features"])
@@ -114,11 +112,7 @@ TEST(Paths, OfNoStepAreWherePlayersBegin) {
 TEST(Paths, HaveNoNegativeZeros) {
   const debrief::Recorded recorded = test::recorded_flight("convoy", 30);
   Paths paths(*recorded.scenario);
-  debrief::Reflight flight(recorded);
-  flight.attach(paths);
-  while (flight.step()) {
-  }
-  paths.finish(flight.after());
+  watch(recorded, paths);
   EXPECT_EQ(geojson(paths).find("-0.0]"), std::string::npos);
 }
 
