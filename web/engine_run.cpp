@@ -188,7 +188,7 @@ std::shared_ptr<const scenario::Scenario> Engine::other(const Otherwise& otherwi
       debrief::read_overrides(*run().scenario, player(otherwise.player), otherwise.sets, wrong);
   wrong.throw_if_any();
   auto changed = debrief::with_overrides(run(), overrides.sets, std::move(overrides.changes));
-  if (changed->tree_count() != run().scenario->tree_count())
+  if (changed->all_trees().size() != run().scenario->all_trees().size())
     throw BadRequest("the change adds or removes a tree; change one that is there");
   return changed;
 }

@@ -162,6 +162,18 @@ std::optional<std::size_t> measure_named(const std::string& name, const Summary&
   return static_cast<std::size_t>(found - names.begin());
 }
 
+Statement prepared(Database& database, const std::string& sql) {
+  try {
+    return database.prepare(sql);
+  } catch (const disk::Refused& refused) {
+    const std::string_view words = refused.what();
+    for (const std::string_view table : {"losses", "decisions"})
+      if (words.find(fmt::format("no such table: {}", table)) != words.npos)
+        refuse("eyrie: there is no table '{}' yet; --decisions '10 s' adds it", table);
+    throw;
+  }
+}
+
 }  // namespace
 
 int campaign_report(const CampaignReportOptions& options) {
@@ -224,7 +236,7 @@ int query(const QueryOptions& options) {
   if (options.sql.empty())
     return 0;
   Database database = open_results(options.folder);
-  Statement asked = database.prepare(options.sql);
+  Statement asked = prepared(database, options.sql);
   if (asked.columns() == 0 || !asked.reads_only())
     refuse("eyrie: query reads, and {} gives no rows or writes", quote(options.sql));
   if (const auto looked = looked_at(database); looked && looked->replicates < looked->of)

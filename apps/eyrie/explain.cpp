@@ -6,6 +6,7 @@
 #include "core/units.hpp"
 #include "debrief/look.hpp"
 #include "locate.hpp"
+#include "record/json_text.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
 
@@ -59,23 +60,31 @@ int explain(const ExplainOptions& options) {
   demand_within(recorded, wanted.once ? "--at" : "--from", wanted.once ? options.at : options.from,
                 wanted.from);
 
-  const debrief::Found found = debrief::look(recorded, who, wanted);
-  if (options.csv) {
-    say("{}", Composed{debrief::decisions_csv(found.decisions, roster)});
-  } else if (options.json) {
-    say("{}", Composed{wanted.changes ? debrief::changes_json(found.changes, roster)
-                                      : debrief::decisions_json(found.decisions, roster)});
-  } else if (wanted.changes) {
-    for (const debrief::Change& change : found.changes)
-      say("{}", Composed{debrief::change_text(change)});
-  } else {
-    const bool whole = wanted.once || !wanted.event.empty();
-    for (std::size_t i = 0; i < found.decisions.size(); ++i)
-      say("{}{}", Composed{whole && i > 0 ? "\n" : ""},
-          Composed{whole ? debrief::decision_text(found.decisions[i], roster)
-                         : debrief::decision_line(found.decisions[i])});
-  }
-  if (found.nothing())
+  const bool whole = wanted.once || !wanted.event.empty();
+  record::JsonList list;
+  bool first = true;
+  const auto tell = [&](const debrief::Change& found) {
+    const debrief::Decision& decision = found.now;
+    if (options.csv)
+      say("{}", Composed{debrief::decision_csv(decision, roster)});
+    else if (options.json)
+      say("{}", Composed{list.next(wanted.changes ? debrief::change_json(found, roster)
+                                                  : debrief::decision_json(decision, roster))});
+    else if (wanted.changes)
+      say("{}", Composed{debrief::change_text(found)});
+    else
+      say("{}{}", Composed{whole && !first ? "\n" : ""},
+          Composed{whole ? debrief::decision_text(decision, roster)
+                         : debrief::decision_line(decision)});
+    first = false;
+  };
+  if (options.csv)
+    say("{}", Composed{std::string(debrief::kDecisionCsv)});
+  const debrief::Found found =
+      debrief::look(recorded, who, wanted, tell, [] { return lost_output() != 0; });
+  if (options.json)
+    say("{}", Composed{list.end()});
+  if (found.count == 0)
     refuse("{}{}", wanted.event.empty() ? "" : fmt::format("--event {}: ", quote(options.event)),
            debrief::nothing_text(options.player, wanted, found));
   return 0;

@@ -16,6 +16,7 @@
 #include "locate.hpp"
 #include "record/run_file.hpp"
 #include "say.hpp"
+#include "scenario/path.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -128,7 +129,7 @@ std::optional<net::WebPage> debrief_at(std::string_view target) {
   try {
     return net::WebPage{kHtml, debrief_text(open_runs(asked, {}), false)};
   } catch (const std::exception& error) {
-    return net::WebPage{"text/plain; charset=utf-8", words_for(error)};
+    return net::WebPage{"text/plain; charset=utf-8", words_for(error), 404};
   }
 }
 
@@ -180,6 +181,10 @@ std::string Home::problem(const Wish& wish, Choice& chosen) const {
   const auto seed = number_from<std::uint64_t>(wish.seed);
   if (!seed && !wish.seed.empty())
     return "seed: expected digits of a number below 2^64, got " + quote(wish.seed);
+  constexpr const char* kNoPlugins = "it uses plug-ins, which browsers cannot";
+  for (const std::string& set : wish.sets)  // before they are looked for, which tells of the disk
+    if (scenario::covers("plugins", set))
+      return kNoPlugins;
   try {
     std::vector<std::string> sets = wish.sets;
     sets.insert(sets.end(), ours_.begin(), ours_.end());
@@ -188,7 +193,7 @@ std::string Home::problem(const Wish& wish, Choice& chosen) const {
     return words_for(error);
   }
   if (!chosen.scenario->plugins.empty())
-    return "it uses plug-ins, which browsers cannot";
+    return kNoPlugins;
   if (chosen.scenario->remote && !linked_)
     return "some of its players are another program's, of whom 'eyrie serve --dis' hears";
   return "";

@@ -55,9 +55,8 @@ int validate(const ValidateOptions& options) {
     }
     const auto scenario = scenario::load(request, source);
     std::set<std::string_view> trees;  // one may serve pilots and drivers
-    for (const auto& fleet : scenario->fleets)
-      for (const ubf::AnyTree* tree : fleet->trees)
-        trees.insert(tree->name());
+    for (const ubf::AnyTree* tree : scenario->all_trees())
+      trees.insert(tree->name());
     if (options.print)
       say("{}", lines(campaign::whole_scenario(file, {}, source)));
     else

@@ -113,9 +113,9 @@ Json over_seeds(const debrief::Recorded& recorded,
     const std::uint64_t pairs = figure.difference.n();  // of seeds without a fault
     if (pairs == 0)
       break;
-    const double error_of = figure.difference.error(), mean = figure.difference.mean();
-    const double difference = std::abs(mean) > 1e-12 * error_of ? mean : 0;  // more than rounding
-    const Json error = pairs < 2 ? Json() : Json(error_of);                  // of one: unknown
+    const double error_of = figure.difference.error(),
+                 difference = stats::mean_difference(figure.difference);
+    const Json error = pairs < 2 ? Json() : Json(error_of);  // of one: unknown
     if (!quiet)
       say("  {:<12} {:>8.2f} -> {:>8.2f}   {:+.2f} ± {}\n", figure.name, figure.flown.mean(),
           figure.other.mean(), difference, error.is_null() ? "-" : fmt::format("{:.2f}", error_of));
@@ -128,26 +128,6 @@ Json over_seeds(const debrief::Recorded& recorded,
   return {{"seeds", flown}, {"faults", faults}, {"figures", all}};
 }
 
-struct First {
-  PlayerId who;
-  debrief::Otherwise decision;
-};
-/// Of all who would have decided otherwise the first: a tree is often flown by others, too, and
-/// what is flown on from there is the run that the change makes.
-std::optional<First> first_of_all(const debrief::Recorded& recorded,
-                                  const scenario::Scenario& other, PlayerId asked,
-                                  const std::optional<debrief::Otherwise>& own, double from) {
-  std::optional<First> first;
-  if (own)
-    first = {asked, *own};
-  for (PlayerId who{1}; recorded.scenario->roster.find(who); ++who.value)
-    if (who != asked)
-      if (const auto found = debrief::what_if(recorded, other, who, from).first;
-          found && (!first || found->step < first->decision.step))
-        first = {who, *found};
-  return first;
-}
-
 /// The part of a scenario that an override goes to: "trees" of "trees.bvr.top=2".
 std::string_view part_of(std::string_view set) {
   return set.substr(0, set.find_first_of(".="));
@@ -158,12 +138,11 @@ std::string node_meant(const scenario::Scenario& scenario, std::string_view set)
   std::string_view path = set.substr(0, set.find('='));
   const std::string_view whole = path;
   for (int with_parameter = 0; with_parameter < 2; ++with_parameter) {
-    for (const auto& fleet : scenario.fleets)
-      for (const ubf::AnyTree* tree : fleet->trees)
-        for (std::size_t i = 0; i < tree->size(); ++i)
-          if (const std::string is = tree->path(static_cast<ubf::NodeIndex>(i));
-              is.ends_with(fmt::format("/{}", path)))
-            return fmt::format("; did you mean {}?", quote(is));
+    for (const ubf::AnyTree* tree : scenario.all_trees())
+      for (std::size_t i = 0; i < tree->size(); ++i)
+        if (const std::string is = tree->path(static_cast<ubf::NodeIndex>(i));
+            is.ends_with(fmt::format("/{}", path)))
+          return fmt::format("; did you mean {}?", quote(is));
     path = path.substr(0, path.rfind('.'));
   }
   return did_you_mean(whole.substr(0, whole.find_first_of("/.")),
@@ -215,7 +194,7 @@ int what_if(const WhatIfOptions& options) {
   wrong.throw_if_any();
   const auto other =
       debrief::with_overrides(recorded, overrides.sets, std::move(overrides.changes));
-  if (asks_trees && other->tree_count() != recorded.scenario->tree_count())
+  if (asks_trees && other->all_trees().size() != recorded.scenario->all_trees().size())
     refuse("the change adds or removes a tree; change one that is there");
 
   debrief::WhatIf result;
@@ -251,7 +230,7 @@ int what_if(const WhatIfOptions& options) {
     until = debrief::limit_of(recorded, *flown);
   }
   const auto first =
-      options.branch ? first_of_all(recorded, *other, who, result.first, from) : std::nullopt;
+      options.branch ? debrief::first_otherwise(recorded, *other, who, from) : std::nullopt;
   if (first) {
     std::string problem;
     const auto branched = debrief::branch(

@@ -31,8 +31,14 @@ def number(name: str, value: Any) -> float:
         raise TypeError(f"{name}: {value!r} is no number")
     try:
         return float(value)
-    except TypeError:
+    except (TypeError, OverflowError):
         raise TypeError(f"{name}: {value!r} is no number") from None
+
+
+def no_options(options: Any) -> None:
+    """What Gymnasium and PettingZoo hand to reset(): there are none."""
+    if options:
+        raise ValueError(f"options: reset() has none, got {', '.join(map(repr, options))}")
 
 
 def seconds(name: str, value: Any, *, above: bool = False) -> float:

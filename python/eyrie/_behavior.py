@@ -51,6 +51,8 @@ def param(
     """
     if not isinstance(limits, tuple) or len(limits) != 2:
         raise TypeError(f"limits: {limits!r} is no pair: (least, most), None for no limit")
+    if unit and isinstance(default, str | bool | np.bool_):
+        raise ValueError(f"unit: {default!r} is no number and has none, not {unit!r}")
     least, most = (None if one is None else number("limits", one) for one in limits)
     return Parameter(default, text("unit", unit), (least, most), text("help", help))
 

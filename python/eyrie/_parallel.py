@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from pettingzoo import ParallelEnv
 
+from ._arguments import no_options
 from ._native_env import Floats, Infos, Native, Played, Saved, as_actions
 
 #: What step() gives, of each agent: observation, reward, terminated, truncated, info.
@@ -40,6 +41,7 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
     def reset(
         self, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[dict[str, Floats], dict[str, Infos]]:
+        no_options(options)
         if seed is not None:
             self._seeds = np.random.default_rng(seed)
         self._native.core.reset(int(self._seeds.integers(2**32)))

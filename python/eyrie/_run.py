@@ -130,8 +130,8 @@ class Run:
         player: str | None = None,
         *,
         at: float | None = None,
-        start: float = 0,
-        end: float = 1e9,
+        start: float | None = None,
+        end: float | None = None,
         event: str = "",
         changes: bool = False,
     ) -> Explanation:
@@ -145,23 +145,36 @@ class Run:
         Args:
             player: whose decisions.
             at: s, one decision.
-            start, end: s, all decisions in that time.
+            start, end: s, all decisions in that time; one alone: from there to the end, or up to there.
             event: a word of the name of an event, or of the story's line.
             changes: where another behavior took the lead, also with ``start`` and ``end``.
+
+        Times are those of the tables. The terminal's are rounded to a tenth of a second, and what is
+        typed there means the first decision that is printed as that.
+
+        Raises:
+            ValueError: nothing was decided in that time, or two arguments ask for different things.
         """
         for name, time in (("at", at), ("start", start), ("end", end)):
             if time is not None:
                 seconds(name, time)
-        if start > end:
+        if start is not None and end is not None and start > end:
             raise ValueError(f"start: {start} s is after end: {end} s")
         player, event = _name(player), checked_text("event", event)
+        window = {"start": start is not None, "end": end is not None, "changes": bool(changes)}
+        for one, others in (("at", window | {"event": bool(event)}), ("event", window)):
+            for other, given in others.items():
+                if given and {"at": at is not None, "event": bool(event)}[one]:
+                    raise ValueError(f"{one} excludes {other}")
         if player is None:
-            if at is not None or event or changes or start or end != 1e9:
+            if at is not None or event or any(window.values()):
                 raise ValueError("whose decisions? explain() by itself has those on which the run turned")
             text, data = self._core.key_moments()
         else:
-            plain = at is None and not event and not start and end == 1e9
-            text, data = self._core.explain(player, at, start, end, bool(changes or plain), event)
+            plain = at is None and not event and not any(window.values())
+            text, data = self._core.explain(
+                player, at, start or 0, 1e9 if end is None else end, bool(changes or plain), event
+            )
         return Explanation(text, json.loads(data))
 
     def save(self, folder: str | os.PathLike[str], *, replace: bool = False) -> Path:

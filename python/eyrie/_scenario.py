@@ -184,7 +184,7 @@ def flight_options(
 
 
 def _yaml(value: Any, path: str) -> str:
-    if isinstance(value, np.generic):
+    if isinstance(value, np.generic) or (isinstance(value, np.ndarray) and value.ndim == 0):
         value = value.item()
     if value is None:
         return "null"

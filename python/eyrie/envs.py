@@ -16,6 +16,7 @@ import numpy.typing as npt
 from gymnasium.vector import AutoresetMode
 
 from . import _core
+from ._arguments import no_options
 from ._native_env import (
     AS_THE_TASK_SAYS,
     NOBODY,
@@ -97,6 +98,7 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Floats, Infos]:
+        no_options(options)
         super().reset(seed=seed)
         self._native.core.reset(int(self.np_random.integers(_SEEDS)))
         return self._native.observations[0, 0].copy(), self._info()
@@ -178,6 +180,7 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
     ) -> tuple[Floats, Infos]:
         if isinstance(seed, list):
             raise ValueError("seed: one for all worlds; each gets its own of it")
+        no_options(options)
         super().reset(seed=seed)
         self._native.core.reset(int(self.np_random.integers(_SEEDS)))
         return self._given(self._native.observations[:, 0]), self._infos()

@@ -5,12 +5,27 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include "core/diagnostics.hpp"
 #include "pilot/action.hpp"
 
 namespace eyrie::python {
 namespace nb = nanobind;
 
+/// Refuses a part that there is not.
+inline void demand_parts(const nb::dict& whole, const char* field,
+                         std::span<const std::string_view> parts) {
+  for (const auto& [key, value] : whole) {
+    const auto name = nb::cast<std::string>(key);
+    if (std::ranges::find(parts, name) == parts.end())
+      throw nb::value_error(
+          fmt::format("{}: there is no {}{}", field, quote(name), nearest_or_all(name, parts))
+              .c_str());
+  }
+}
 /// Of a dictionary that stands for a value of several parts.
 template <class T>
 [[nodiscard]] T part_of(const nb::dict& whole, const char* field, const char* part) {
@@ -43,13 +58,18 @@ template <class T>
       throw nb::cast_error();  // Python's True is a number, too
     return nb::cast<T>(value);
   } else if constexpr (std::is_same_v<T, pilot::Follow>) {
+    static constexpr std::array<std::string_view, 4> kParts{"position", "velocity", "time",
+                                                            "offset"};
     const auto parts = nb::cast<nb::dict>(value);
+    demand_parts(parts, "follow", kParts);
     return {.position = vector_of(parts, "position"),
             .velocity = vector_of(parts, "velocity"),
             .time = part_of<double>(parts, "follow", "time"),
             .offset = vector_of(parts, "offset")};
   } else if constexpr (std::is_same_v<T, pilot::Release>) {
+    static constexpr std::array<std::string_view, 2> kParts{"track", "store"};
     const auto parts = nb::cast<nb::dict>(value);
+    demand_parts(parts, "release", kParts);
     return {.track = TrackId{part_of<std::uint32_t>(parts, "release", "track")},
             .store = part_of<std::uint32_t>(parts, "release", "store")};
   } else {

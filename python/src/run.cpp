@@ -8,6 +8,7 @@
 #include "disk/output.hpp"
 #include "record/acmi.hpp"
 #include "record/csv.hpp"
+#include "record/json_text.hpp"
 #include "record/story.hpp"
 #include "tables/decision_rows.hpp"
 #include "tables/track_rows.hpp"
@@ -190,19 +191,21 @@ std::tuple<std::string, std::string> explain(const Recorded& r, const std::strin
   if (wanted.from > r.recorded.until())
     throw nb::value_error(
         fmt::format("{:g} s: the run ends at {:g} s", wanted.from, r.recorded.until()).c_str());
-  const debrief::Found found =
-      without_gil([&](const auto& stop) { return debrief::look(r.recorded, who, wanted, stop); });
-  if (found.nothing())
-    throw nb::value_error(debrief::nothing_text(player, wanted, found).c_str());
-  std::string text;
-  for (const debrief::Change& change : found.changes)
-    text += debrief::change_text(change);
   const bool whole = wanted.once || !wanted.event.empty();
-  for (const debrief::Decision& decision : found.decisions)
-    text += whole ? (text.empty() ? "" : "\n") + debrief::decision_text(decision, roster)
-                  : debrief::decision_line(decision);
-  return {printable_lines(text), wanted.changes ? debrief::changes_json(found.changes, roster)
-                                                : debrief::decisions_json(found.decisions, roster)};
+  std::string text, json;
+  record::JsonList list;
+  const auto use = [&](const debrief::Change& found) {
+    text += wanted.changes ? debrief::change_text(found)
+            : whole        ? (text.empty() ? "" : "\n") + debrief::decision_text(found.now, roster)
+                           : debrief::decision_line(found.now);
+    json += list.next(wanted.changes ? debrief::change_json(found, roster)
+                                     : debrief::decision_json(found.now, roster));
+  };
+  const debrief::Found found = without_gil(
+      [&](const auto& stop) { return debrief::look(r.recorded, who, wanted, use, stop); });
+  if (found.count == 0)
+    throw nb::value_error(debrief::nothing_text(player, wanted, found).c_str());
+  return {printable_lines(text), json + list.end()};
 }
 
 std::tuple<std::string, std::string> key_moments(const Recorded& r) {

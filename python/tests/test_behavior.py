@@ -134,6 +134,7 @@ def test_what_a_behavior_raises_is_the_fault_of_the_run() -> None:
         (eyrie.propose(1, heading=True), "True is no value"),
         (eyrie.propose(1, mode="hovering"), "no 'hovering'"),
         (eyrie.propose(1, release={"track": 3}), "'store'"),
+        (eyrie.propose(1, release={"track": 3, "store": 0, "stor": 1}), "'stor'; did you mean 'store'"),
         (eyrie.propose(1, follow={"position": (0, 0, 0)}), "'velocity'"),
         (eyrie.Proposal(None, {}), "NoneType"),  # type: ignore[arg-type]
         (eyrie.Proposal(1, {3: 4}), "no field 3"),  # type: ignore[dict-item]
@@ -300,6 +301,9 @@ def test_wrong_definitions_are_named() -> None:
     with pytest.raises(TypeError, match="to: None is no number"):
         nothing = eyrie.param(None, help="x")  # type: ignore[arg-type]
         eyrie.behavior(name="none")(lambda state, to=nothing: None)
+    for plain in (True, "text"):
+        with pytest.raises(ValueError, match="no number and has none, not 'm'"):
+            eyrie.param(plain, "m", help="x")
 
 
 def test_a_release_of_what_there_is_not_is_none() -> None:

@@ -172,6 +172,17 @@ def test_rewards_are_weighed_otherwise() -> None:
             envs.Env("merge", rewards={ranged: 1})
     with pytest.raises(ValueError, match="closing"):
         envs.Env("merge", rewards={"closing": 1})  # over what?
+    with pytest.raises(ValueError, match="reward alive has no range"):
+        envs.Env("merge", rewards={"alive": (1, 100, 200)})
+    with pytest.raises(ValueError, match="reward alive: its weight 1e.40 is outside"):
+        envs.Env("merge", rewards={"alive": 1e40})
+
+
+def test_reset_has_no_options() -> None:
+    for env in (envs.Env("merge"), envs.VectorEnv("merge", 2), envs.parallel("sweep")):
+        env.reset(seed=1, options={})
+        with pytest.raises(ValueError, match="options: reset.. has none, got 'reset_mask'"):
+            env.reset(options={"reset_mask": np.array([True, False])})
 
 
 def test_what_was_saved_goes_on_alike() -> None:

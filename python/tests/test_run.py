@@ -105,6 +105,16 @@ def test_decisions_are_explained(run: eyrie.Run, player: str) -> None:
         run.explain(player, at=float("nan"))
     with pytest.raises(ValueError, match="whose decisions"):
         run.explain(at=5)
+    everything = run.explain(player, start=0)
+    assert len(everything.data) > len(changes.data)
+    assert everything.data == run.explain(player, end=1e9).data == run.explain(player, start=0, end=1e9).data
+    assert "nodes" in everything.data[0]
+    with pytest.raises(ValueError, match="at excludes event"):
+        run.explain(player, at=5, event="launch")
+    with pytest.raises(ValueError, match="at excludes start"):
+        run.explain(player, at=5, start=3)
+    with pytest.raises(ValueError, match="event excludes changes"):
+        run.explain(player, event="launch", changes=True)
 
 
 def test_the_story_is_told(run: eyrie.Run) -> None:

@@ -56,6 +56,7 @@ def test_values_of_overrides_are_yaml() -> None:
 
     assert until("1 min") == 60
     assert eyrie.load("merge", set={"seed": np.int64(12)}).seed == 12
+    assert eyrie.load("merge", set={"seed": np.array(12)}).seed == 12
     assert eyrie.load("merge", set={"orders": []}).seed == eyrie.load("merge").seed
     with pytest.raises(ValueError, match="until: nan"):
         until(float("nan"))

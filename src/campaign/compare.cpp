@@ -94,7 +94,7 @@ std::vector<Comparison> compare_alone(std::span<const Measure> measures, std::sp
       continue;
     Comparison c{.measure = i, .n = a.numbers.n(), .n_than = b.numbers.n()};
     const bool is_share = measures[i].kind == Measure::share;
-    c.value = a.numbers.mean() - b.numbers.mean();
+    c.value = stats::mean_difference(a.numbers, b.numbers);
     c.interval = is_share ? stats::newcombe(a.share, b.share, confidence)
                           : stats::welch_interval(a.numbers, b.numbers, confidence);
     c.p = is_share ? stats::fisher(a.share, b.share) : stats::welch_test(a.numbers, b.numbers);
@@ -105,8 +105,7 @@ std::vector<Comparison> compare_alone(std::span<const Measure> measures, std::sp
 
 Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double confidence) {
   c.n = pairs.differences.n();
-  const double mean = pairs.differences.mean(), noise = 1e-12 * pairs.differences.error();
-  c.value = std::abs(mean) > noise ? mean : 0;  // more than rounding
+  c.value = stats::mean_difference(pairs.differences);
   if (kind == Measure::share) {
     c.interval =
         stats::newcombe_paired(pairs.both, pairs.only_one, pairs.only_other, c.n, confidence);

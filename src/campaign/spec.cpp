@@ -170,17 +170,14 @@ std::optional<Diagnostic> setter_of(const Diagnostics& wrong, const Spec& spec, 
   return std::nullopt;
 }
 
-/// Throws ConfigError if the scenario refuses a cell; who is to blame, if anybody is, is said
-/// first.
-void try_it(const Spec& spec, const Cell& cell, const Load& load, auto blame) {
+/// What the scenario refuses of a cell; who is to blame, if anybody is, is said first.
+void try_it(const Spec& spec, const Cell& cell, const Load& load, Diagnostics& wrong, auto blame) {
   try {
     static_cast<void>(watch(spec, *load(sets_of(spec, cell))));
   } catch (const ConfigError& error) {
-    Diagnostics all;
     if (const std::optional<Diagnostic> first = blame(error.diagnostics()))
-      all.error(first->where, first->message);
-    all.merge(error.diagnostics());
-    throw ConfigError(std::move(all));
+      wrong.error(first->where, first->message);
+    wrong.merge(error.diagnostics());
   }
 }
 
@@ -312,8 +309,10 @@ std::string cell_text(const Spec& spec, const Cell& cell) {
 
 void check(const Spec& spec, const Load& load) {
   const std::vector<Cell> cells = cells_of(spec);
-  try_it(spec, cells.front(), load,
+  Diagnostics all;
+  try_it(spec, cells.front(), load, all,
          [&](const Diagnostics& wrong) { return setter_of(wrong, spec, cells.front()); });
+  all.throw_if_any();  // else every other cell would say it, too
   for (std::size_t f = 0; f < spec.factors.size(); ++f) {
     const Factor& factor = spec.factors[f];
     std::vector<std::pair<std::string, Location>> values;
@@ -332,21 +331,24 @@ void check(const Spec& spec, const Load& load) {
       Cell cell = cells.front();
       if (std::exchange(cell.values[f], value) == value)
         continue;
-      try_it(spec, cell, load, [&](const auto&) {
+      try_it(spec, cell, load, all, [&](const auto&) {
         return Diagnostic{where, refuses(factor.name, value)};
       });
     }
   }
+  all.throw_if_any();
 }
 
 void check_cells(const Spec& spec, std::span<const Cell> cells, const Load& load) {
   constexpr std::size_t kMost = 2000;
-  for (std::size_t c = 0; c < std::min(cells.size(), kMost); ++c)
-    try_it(spec, cells[c], load, [&](const auto&) {
+  Diagnostics wrong;
+  for (std::size_t c = 0; c < std::min(cells.size(), kMost) && wrong.ok(); ++c)
+    try_it(spec, cells[c], load, wrong, [&](const auto&) {
       return Diagnostic{
           {spec.file, 0, 0},
           fmt::format("the scenario refuses cell {} ({})", c, cell_text(spec, cells[c]))};
     });
+  wrong.throw_if_any();
 }
 
 }  // namespace eyrie::campaign

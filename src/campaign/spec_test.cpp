@@ -113,6 +113,14 @@ TEST(Spec, TriesEachLevelOnceBeforeAnythingIsFlown) {
   EXPECT_EQ(refused(with("who: eagle", "who: eagel")),
             "c.yaml:16:32: left: there is no side, flight or player 'eagel'; did you mean "
             "'eagle'?");
+  EXPECT_EQ(refused(with("[1800 kg, 2200 kg]", "[1800 kg, 2 m, 3 m]")),
+            "c.yaml:6:61: bingo: the scenario refuses '2 m'\n"
+            "c.yaml:6:66: bingo: the scenario refuses '3 m'\n"
+            "--set blue.flights.eagle.bingo=2 m:1:26: bingo: expected a mass such as '900 kg', "
+            "got '2 m' (a length)\n"
+            "--set blue.flights.eagle.bingo=3 m:1:26: bingo: expected a mass such as '900 kg', "
+            "got '3 m' (a length)")
+      << "each that is refused";
   // of a distribution the least and the greatest that are drawn
   const std::string drawn = refused(R"(eyrie: 1
 name: fuel

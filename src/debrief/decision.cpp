@@ -348,37 +348,30 @@ Json decision_json(const Decision& d, const scenario::Roster& roster) {
   return j;
 }
 
-std::string decisions_json(std::span<const Decision> decisions, const scenario::Roster& roster) {
-  Json all = Json::array();
-  for (const Decision& d : decisions)
-    all.push_back(decision_json(d, roster));
-  return record::json_lines(all);
-}
-
-std::string decisions_csv(std::span<const Decision> decisions, const scenario::Roster& roster) {
-  std::string text = "time_s,step,player,tree,node,status,vote,field,value,unit,won\n";
+std::string decision_csv(const Decision& d, const scenario::Roster& roster) {
+  std::string text;
   const auto to = std::back_inserter(text);
-  for (const Decision& d : decisions)
-    for (std::size_t i = 0; i < d.nodes.size(); ++i) {
-      const Answer& node = d.nodes[i];
-      if (!node.asked)
-        continue;
-      const std::string who =
-          fmt::format("{:.3f},{},{},{},{},{},{:g}", d.time, d.step,
-                      record::csv_text(roster.name(d.player)), record::csv_text(d.tree),
-                      record::csv_text(node.path), ubf::to_text(node.status), node.vote);
-      if (node.action.empty())
-        fmt::format_to(to, "{},,,,\n", who);
-      for (const Value& value : node.action) {
-        const bool won = std::ranges::any_of(
-            d.action, [&](const Won& w) { return w.value.name == value.name && w.winner == i; });
-        const std::string shown = value.number        ? fmt::format("{}", *value.number)
-                                  : value.text == "-" ? ""  // no value
-                                                      : record::csv_quoted(value.text);
-        fmt::format_to(to, "{},{},{},{},{}\n", who, record::csv_text(value.name), shown,
-                       record::csv_text(value.unit), won ? 1 : 0);
-      }
+  for (std::size_t i = 0; i < d.nodes.size(); ++i) {
+    const Answer& node = d.nodes[i];
+    if (!node.asked)
+      continue;
+    const std::string who =
+        fmt::format("{:.3f},{},{},{},{},{},{:g}", d.time, d.step,
+                    record::csv_text(roster.name(d.player)), record::csv_text(d.tree),
+                    record::csv_text(node.path), ubf::to_text(node.status), node.vote);
+    if (node.action.empty())
+      fmt::format_to(to, "{},,,,\n", who);
+    for (const Value& value : node.action) {
+      const bool won = std::ranges::any_of(d.action, [&](const Won& w) {
+        return w.value.name == value.name && w.winner == i && !w.held;
+      });
+      const std::string shown = value.number        ? fmt::format("{}", *value.number)
+                                : value.text == "-" ? ""  // no value
+                                                    : record::csv_quoted(value.text);
+      fmt::format_to(to, "{},{},{},{},{}\n", who, record::csv_text(value.name), shown,
+                     record::csv_text(value.unit), won ? 1 : 0);
     }
+  }
   return text;
 }
 
@@ -387,14 +380,11 @@ std::string change_text(const Change& change) {
                      printable(change.from), printable(change.to), printable(change.why));
 }
 
-std::string changes_json(std::span<const Change> changes, const scenario::Roster& roster) {
-  Json all = Json::array();
-  for (const Change& change : changes) {
-    Json j{{"from", change.from}, {"to", change.to}, {"why", change.why}};
-    j["decision"] = decision_json(change.now, roster);
-    all.push_back(std::move(j));
-  }
-  return record::json_lines(all);
+Json change_json(const Change& change, const scenario::Roster& roster) {
+  return {{"from", change.from},
+          {"to", change.to},
+          {"why", change.why},
+          {"decision", decision_json(change.now, roster)}};
 }
 
 }  // namespace eyrie::debrief

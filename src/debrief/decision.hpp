@@ -49,15 +49,14 @@ template <class System>
 /// An object, also for pages; docs/howto/explain-a-decision.md has the keys.
 [[nodiscard]] nlohmann::ordered_json decision_json(const Decision& decision,
                                                    const scenario::Roster& roster);
-/// One such object per decision, in an array.
-[[nodiscard]] std::string decisions_json(std::span<const Decision> decisions,
-                                         const scenario::Roster& roster);
 
-/// A row per field that a node proposed (or one without a field), of all nodes that were asked:
-/// time_s,step,player,tree,node,status,vote,field,value,unit,won. `value` is a number in SI where
-/// it is one, nothing where there is none, and else a text in quotes.
-[[nodiscard]] std::string decisions_csv(std::span<const Decision> decisions,
-                                        const scenario::Roster& roster);
+/// The columns of decision_csv().
+inline constexpr std::string_view kDecisionCsv =
+    "time_s,step,player,tree,node,status,vote,field,value,unit,won\n";
+/// A row per field that a node proposed (or one without a field), of all nodes that were asked.
+/// `value` is a number in SI where it is one, nothing where there is none, and else a text in
+/// quotes.
+[[nodiscard]] std::string decision_csv(const Decision& decision, const scenario::Roster& roster);
 
 /// Somebody else leads than at the decision before.
 struct Change {
@@ -66,8 +65,8 @@ struct Change {
   std::string why = {};
 };
 [[nodiscard]] std::string change_text(const Change& change);
-[[nodiscard]] std::string changes_json(std::span<const Change> changes,
-                                       const scenario::Roster& roster);
+[[nodiscard]] nlohmann::ordered_json change_json(const Change& change,
+                                                 const scenario::Roster& roster);
 
 /// "bvr/pursue": with the label above.
 [[nodiscard]] std::string branch_of(const Decision& decision, ubf::NodeIndex node);

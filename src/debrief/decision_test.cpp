@@ -105,6 +105,33 @@ TEST(Decision, SaysHowAFieldWasWon) {
   EXPECT_EQ(reason(won), "held from an earlier decision");
 }
 
+TEST(Decision, TellsWhatIsHeldFromWhatIsProposedNow) {
+  Decision d;
+  d.nodes = {answer("root", "per_field", 0, ubf::kNone), answer("steady", "suppress", 1, 0),
+             answer("climb", "climb", 2, 1), answer("low", "low", 2, 1),
+             answer("follow", "follow", 1, 0)};
+  const auto proposes = [&](std::size_t node, double number, bool held, float vote) {
+    d.nodes[node].action = {{.name = "altitude", .number = number, .held = held}};
+    d.nodes[node].vote = vote;
+    d.nodes[node].is_leaf = node > 1;
+  };
+  proposes(0, 7000, true, 50);
+  proposes(1, 7000, true, 50);
+  proposes(2, 6000, false, 0);  // goes on asking for something else, without a vote
+  proposes(3, 5000, false, 10);
+  proposes(4, 4000, false, 20);
+  const ubf::NodeIndex winner[] = {2};
+  const std::vector<Won> won = team::contest(d.nodes, winner);
+  ASSERT_EQ(won.size(), 1u);
+  EXPECT_EQ(won[0].value.number, 7000);
+  EXPECT_TRUE(won[0].held);
+  EXPECT_FALSE(won[0].blended);
+  ASSERT_EQ(won[0].rivals.size(), 2u);
+  EXPECT_EQ(won[0].rivals[0].against, 50) << "of who holds it, against follow";
+  EXPECT_EQ(won[0].rivals[0].vote, 20);
+  EXPECT_EQ(won[0].rivals[1].against, 50) << "and against low, which it suppresses";
+}
+
 TEST(Decision, ShowsOnlyWhatWasAsked) {
   Decision d = in_two_phases(true);
   d.player = PlayerId{1};

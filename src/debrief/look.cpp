@@ -93,8 +93,12 @@ team::LastDecision last_decision(const scenario::Scenario& scenario, const sim::
 }  // namespace
 
 Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
-           const std::function<bool()>& stop) {
+           const std::function<void(const Change&)>& use, const std::function<bool()>& stop) {
   Found found;
+  const auto hand_on = [&](const Change& change) {
+    ++found.count;
+    use(change);
+  };
   Reflight flight(recorded);
   EventTimes events(*recorded.scenario, who, wanted.event);
   flight.attach(events);
@@ -105,6 +109,7 @@ Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
   std::map<double, Decision> released;  // s
   std::optional<team::LastDecision> leader;
   std::string tree, label = "nobody";
+  std::optional<std::uint64_t> handed_on;  // a step
   while (!stop() && flight.time() < wanted.to && flight.step()) {
     if (recorded.scenario->find(flight.after(), who))
       found.until = flight.time();
@@ -117,8 +122,9 @@ Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
         continue;
       const auto cause = released.find(*events.found());
       const Decision& decided = cause == released.end() ? *last : cause->second;
-      if (found.decisions.empty() || found.decisions.back().step != decided.step)
-        found.decisions.push_back(decided);
+      if (handed_on != decided.step)
+        hand_on({.now = decided});
+      handed_on = decided.step;
       continue;
     }
     if (wanted.changes) {
@@ -144,13 +150,13 @@ Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
       tree = change.now.tree;
       label = label_of(change.now, now.node);
       if (flight.time() >= wanted.from - 1e-9)
-        found.changes.push_back(std::move(change));
+        hand_on(change);
       continue;
     }
     if (flight.time() < wanted.from - 1e-9)
       continue;
     if (auto decision = explain()) {
-      found.decisions.push_back(std::move(*decision));
+      hand_on({.now = std::move(*decision)});
       if (wanted.once)
         break;
     }
@@ -167,6 +173,8 @@ std::string nothing_text(const std::string& player, const Wanted& wanted, const 
   if (wanted.from > found.until)
     return fmt::format("{} made no decision from {} on: it was there until {}", player,
                        record::clock_text(wanted.from), record::clock_text(found.until));
+  if (wanted.changes)
+    return fmt::format("{}: no other behavior took the lead in that time", player);
   return fmt::format("{} made no decision in that time", player);
 }
 

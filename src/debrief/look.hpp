@@ -19,18 +19,17 @@ struct Wanted {
 };
 
 struct Found {
-  std::vector<Decision> decisions;
-  std::vector<Change> changes;
+  std::uint64_t count = 0;
   std::set<std::string> events;  ///< the names of those that the player had
   double until = 0;              ///< s, when the player was last there
-
-  [[nodiscard]] bool nothing() const { return decisions.empty() && changes.empty(); }
 };
 
-/// Flies the run again and looks for them; each node says where it stands in the document. `stop`
-/// is asked in every step and ends the work.
+/// Flies the run again and hands on each, one by one: of a decision that was not asked for as a
+/// change `now` alone is given. Each node says where it stands in the document. `stop` is asked in
+/// every step and ends the work.
 [[nodiscard]] Found look(
     const Recorded& recorded, PlayerId who, const Wanted& wanted,
+    const std::function<void(const Change&)>& use,
     const std::function<bool()>& stop = [] { return false; });
 
 /// Why nothing was found: "eagle1 made no decision in that time".

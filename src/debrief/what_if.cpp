@@ -49,12 +49,76 @@ class OtherTrees {
   std::vector<std::uint64_t> slab_;
 };
 
+/// One of whom all is asked, step by step.
+class Asked {
+ public:
+  Asked(const scenario::Scenario& flown, const scenario::Scenario& other, PlayerId player,
+        double from)
+      : who(player),
+        flown_(flown),
+        other_(other),
+        trees_(flown.fleet_of(player), other.fleet_of(player), player),
+        from_(from) {}
+
+  /// Looks at the next step.
+  void look(const Reflight& flight) {
+    if (flown_.find(flight.after(), who))
+      result.until = flight.time();
+    if (!result.fault.empty())
+      return;
+    const bool had_first = result.first.has_value();
+    trees_.look(flight, [&](const team::AnyMoment& m, team::Comparison found) {
+      note(m, std::move(found));
+    });
+    if (had_first || !result.first)
+      return;
+    const std::optional<Decision> names =
+        explain(flown_, flight.before(), flight.after(), who, flight.orders());
+    for (Changed& field : result.first->fields)
+      for (std::string* text : {&field.flown, &field.other})
+        put_names(*text, *names, flown_);
+  }
+
+  PlayerId who;
+  WhatIf result{};
+
+ private:
+  void note(const team::AnyMoment& m, team::Comparison found) {
+    const double time = m.info.time();
+    if (found.fault) {
+      result.fault = scenario::fault_text(*found.fault, other_.roster, m.info.dt);
+      return;
+    }
+    if (time < from_ - 1e-9)
+      return;
+    ++result.decisions;
+    result.steps.push_back(m.info.step);
+    result.leaders.push_back(found.other);
+    const bool same = found.fields.empty();
+    if (!same) {
+      ++result.different;
+      if (!result.first)
+        result.first = {m.info.step, time, flown_.fleet_of(who).trees[m.tree]->label(found.flown),
+                        other_.fleet_of(who).trees[m.tree]->label(found.other),
+                        std::move(found.fields)};
+      if (in_a_row_)
+        result.spans.back().second = time;
+      else
+        result.spans.emplace_back(time, time);
+    }
+    in_a_row_ = !same;
+  }
+
+  const scenario::Scenario& flown_;
+  const scenario::Scenario& other_;
+  OtherTrees trees_;
+  double from_;
+  bool in_a_row_ = false;
+};
+
 bool any_remembers(const scenario::Scenario& scenario) {
-  for (const auto& fleet : scenario.fleets)
-    for (const ubf::AnyTree* tree : fleet->trees)
-      if (tree->memory_bytes() > 0)
-        return true;
-  return false;
+  return std::ranges::any_of(scenario.all_trees(),
+                             [](const ubf::AnyTree* tree) { return tree->memory_bytes() > 0; });
 }
 
 /// Puts into a world of `other`, which was flown as recorded up to there, what its trees would
@@ -90,19 +154,17 @@ std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
 
 std::vector<std::string> trees_of(const scenario::Scenario& scenario) {
   std::vector<std::string> names;
-  for (const auto& fleet : scenario.fleets)
-    for (const ubf::AnyTree* tree : fleet->trees)
-      names.emplace_back(tree->name());
+  for (const ubf::AnyTree* tree : scenario.all_trees())
+    names.emplace_back(tree->name());
   return names;
 }
 
 /// The paths of the nodes of the tree of that name, whoever uses it, in pre-order.
 std::vector<std::string> paths_of(const scenario::Scenario& scenario, const std::string& name) {
   std::vector<std::string> paths;
-  for (const auto& fleet : scenario.fleets)
-    for (const ubf::AnyTree* tree : fleet->trees)
-      for (std::size_t i = 0; tree->name() == name && paths.size() < tree->size(); ++i)
-        paths.push_back(tree->path(static_cast<ubf::NodeIndex>(i)));
+  for (const ubf::AnyTree* tree : scenario.all_trees())
+    for (std::size_t i = 0; tree->name() == name && paths.size() < tree->size(); ++i)
+      paths.push_back(tree->path(static_cast<ubf::NodeIndex>(i)));
   return paths;
 }
 
@@ -210,50 +272,28 @@ std::string outcome_text(const scenario::Mission& mission, const record::Tally& 
 
 WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, PlayerId who,
                double from) {
-  WhatIf result;
-  const scenario::Scenario& flown = *recorded.scenario;
-  const scenario::Fleet &fleet = flown.fleet_of(who), &others = other.fleet_of(who);
-  OtherTrees asked(fleet, others, who);
-  bool in_a_row = false;
-  const auto note = [&](const team::AnyMoment& m, team::Comparison found) {
-    const double time = m.info.time();
-    if (found.fault) {
-      result.fault = scenario::fault_text(*found.fault, other.roster, m.info.dt);
-      return;
-    }
-    if (time < from - 1e-9)
-      return;
-    ++result.decisions;
-    result.steps.push_back(m.info.step);
-    result.leaders.push_back(found.other);
-    const bool same = found.fields.empty();
-    if (!same) {
-      ++result.different;
-      if (!result.first)
-        result.first = {m.info.step, time, fleet.trees[m.tree]->label(found.flown),
-                        others.trees[m.tree]->label(found.other), std::move(found.fields)};
-      if (in_a_row)
-        result.spans.back().second = time;
-      else
-        result.spans.emplace_back(time, time);
-    }
-    in_a_row = !same;
-  };
+  Asked asked(*recorded.scenario, other, who, from);
   Reflight flight(recorded);
-  std::optional<Decision> first;  // which has the names
-  while (flight.step()) {
-    if (flown.find(flight.after(), who))
-      result.until = flight.time();
-    if (result.fault.empty())
-      asked.look(flight, note);
-    if (!result.first || first)
-      continue;
-    first = explain(flown, flight.before(), flight.after(), who, flight.orders());
-    for (Changed& field : result.first->fields)
-      for (std::string* text : {&field.flown, &field.other})
-        put_names(*text, *first, flown);
-  }
-  return result;
+  while (flight.step())
+    asked.look(flight);
+  return std::move(asked.result);
+}
+
+std::optional<First> first_otherwise(const Recorded& recorded, const scenario::Scenario& other,
+                                     PlayerId asked, double from) {
+  std::vector<Asked> all;
+  all.emplace_back(*recorded.scenario, other, asked, from);
+  for (PlayerId who{1}; recorded.scenario->roster.find(who); ++who.value)
+    if (who != asked)
+      all.emplace_back(*recorded.scenario, other, who, from);
+  Reflight flight(recorded);
+  while (flight.step())
+    for (Asked& one : all) {
+      one.look(flight);
+      if (one.result.first)
+        return First{one.who, std::move(*one.result.first)};
+    }
+  return std::nullopt;
 }
 
 Outcome outcome_of(const Recorded& recorded) {

@@ -39,6 +39,17 @@ struct WhatIf {
 [[nodiscard]] WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other,
                              PlayerId who, double from);
 
+/// Who would have been the first to decide otherwise: a tree is often flown by others, too, and
+/// what is flown on from there is the run that the change makes.
+struct First {
+  PlayerId who;
+  Otherwise decision;
+};
+/// At or after `from` (s); of several in one step `asked` if it is one of them. Looks no further.
+[[nodiscard]] std::optional<First> first_otherwise(const Recorded& recorded,
+                                                   const scenario::Scenario& other, PlayerId asked,
+                                                   double from);
+
 /// How a run ended, for comparisons.
 struct Outcome {
   std::string outcome;  ///< a name of scenario::Outcome

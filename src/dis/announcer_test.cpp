@@ -29,13 +29,22 @@ struct Listener final : sim::Observer {
     for (; heard_ < told.size(); ++heard_)
       if (const auto* state = std::get_if<EntityState>(&told[heard_].packet.pdu))
         latest_[state->id.entity] = {told[heard_].time, *state};
+      else if (const auto* emission = std::get_if<Emission>(&told[heard_].packet.pdu))
+        emissions_[emission->emitter.entity] = *emission;
     const double now = info.time_after();
     scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
       compare(id, fleet.motion(world, row), now);
     });
     const auto missiles = world.ids(scenario_.missiles.table);
-    for (std::size_t row = 0; row < missiles.size(); ++row)
+    for (std::size_t row = 0; row < missiles.size(); ++row) {
       compare(missiles[row], world.rows(scenario_.missiles.kinematics)[row], now);
+      if (world.rows(scenario_.missiles.state)[row].decoy != 0)
+        if (const auto said = emissions_.find(static_cast<std::uint16_t>(missiles[row].value));
+            said != emissions_.end()) {
+          ++decoyed;
+          decoyed_with_target += !said->second.systems.at(0).beams.at(0).targets.empty();
+        }
+    }
   }
   void finish(const sim::World& world) override { announcer.finish(world); }
 
@@ -52,6 +61,7 @@ struct Listener final : sim::Observer {
   std::vector<Told> told;
   Announcer announcer;
   double farthest = 0, most_turned = 0, oldest = 0;
+  int decoyed = 0, decoyed_with_target = 0;  // steps of active seekers
 
  private:
   /// What is reckoned with the truth.
@@ -69,6 +79,7 @@ struct Listener final : sim::Observer {
 
   std::size_t heard_ = 0;
   std::map<std::uint16_t, std::pair<double, EntityState>> latest_;
+  std::map<std::uint16_t, Emission> emissions_;
 };
 
 struct Heard {
@@ -263,6 +274,9 @@ TEST(Announcer, TellsWhatRadarsDo) {
       }
   }
   EXPECT_TRUE(searched && tracked && locked && sought);
+  EXPECT_GT(sweep().listener.decoyed, 100);
+  EXPECT_LT(sweep().listener.decoyed_with_target, sweep().listener.decoyed / 10)
+      << "who flies after chaff tracks nobody";
 }
 
 TEST(Announcer, TellsWhoDecides) {

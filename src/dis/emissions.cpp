@@ -92,7 +92,7 @@ std::vector<Emission::System> seeker_of(const scenario::Scenario& scenario, cons
   Emission::Beam beam{.frequency = static_cast<float>(kFrequency),
                       .function = BeamFunction::missile_seeker};
   point(beam, world.rows(scenario.missiles.kinematics)[row], emission.boresight);
-  if (emission.dwell)
+  if (emission.dwell && world.rows(scenario.missiles.state)[row].decoy == 0)
     track(beam, {id_of(emission.dwell)});
   return {{.name = *model::emitter_of(scenario.library->missiles[emission.type].emitter),
            .function = kMissileHoming,

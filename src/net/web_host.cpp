@@ -183,7 +183,7 @@ struct WebHost::Network {
     if (!visitor->page)
       return say(visitor, http::status::not_found, "there is no such page");
     ++pages;
-    send(visitor, http::status::ok);
+    send(visitor, http::int_to_status(visitor->page->status));
   }
 
   /// A page of another site may give its own name this machine's address: it asks by that name.

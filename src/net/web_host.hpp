@@ -17,6 +17,7 @@ namespace eyrie::net {
 struct WebPage {
   std::string type;  ///< "text/html; charset=utf-8"
   std::string body;
+  unsigned status = 200;  ///< of HTTP
 };
 
 /// Somebody at /live. A number is never used twice.

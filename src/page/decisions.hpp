@@ -67,8 +67,10 @@ class ShapeBook {
         append(*given);
       if (why)
         append(why);
-      if (proposes)
+      if (proposes) {
         append(row.supplier);
+        append(row.held);
+      }
     }
     const auto [at, is_new] =
         numbers_.try_emplace(key_, static_cast<std::int64_t>(numbers_.size()));
@@ -120,8 +122,9 @@ class ShapeBook {
       if (ubf::is_empty(row.proposal.action))
         continue;
       Json fields = Json::array({i});
-      for (const ubf::NodeIndex from : row.supplier)
-        fields.push_back(index_of(from));
+      for (std::size_t field = 0; field < row.supplier.size(); ++field)
+        fields.push_back(row.held[field] ? -2 - index_of(row.supplier[field])
+                                         : index_of(row.supplier[field]));
       supplier.push_back(std::move(fields));
     }
     return {{"tree", tree},        {"leader", index_of(leader)},
@@ -232,15 +235,6 @@ class Decisions {
   }
 
  private:
-  /// Whether the root has the field from a node that did not propose it this time.
-  template <class Action>
-  [[nodiscard]] static bool is_held(const ubf::Trace<Action>& trace, std::size_t index) {
-    const ubf::NodeIndex from = trace.row(0).supplier[index];
-    if (from == ubf::kNone)
-      return false;
-    const auto& row = trace.row(from);
-    return !row.ticked || ubf::is_empty(row.proposal.action) || row.supplier[index] != from;
-  }
   /// One field of all nodes that have a value of their own. What differs stays different, however
   /// little: the page must see that two nodes want two things.
   template <class Field, class Action>
@@ -249,7 +243,7 @@ class Decisions {
     std::vector<std::pair<T, std::int64_t>> taken;
     for (const ubf::NodeIndex node : suppliers_) {
       const auto& row = trace.row(node);
-      if (row.supplier[index] != node && !(node == 0 && is_held(trace, index)))
+      if (row.held[index] ? node != 0 : row.supplier[index] != node)
         continue;
       const T& value = *(row.proposal.action.*f.member);
       Column& column = values_[node * fields_ + index];

@@ -94,6 +94,7 @@ class AcmiObject {
     std::string winner;
     float vote = -1;
   };
+  [[nodiscard]] bool moved_far(const AcmiSample& sample) const;
   void line(const AcmiSample& sample, const Reference& reference, std::string& text);
   /// Adds the line that makes `before` what is told now.
   void write_line(const Told& before, std::string& text) const;
@@ -104,7 +105,6 @@ class AcmiObject {
   Pose last_;
   bool begun_ = false, gone_ = false;
   float noted_vote_ = -1;
-  std::array<double, 4> noted_{};  ///< of its instruments, in the steps in which they are told
   Told told_;
 };
 

@@ -108,13 +108,6 @@ void AcmiObject::see(AcmiSample sample) {
     sample.wanted = true;
     noted_vote_ = sample.vote;
   }
-  const std::array now{sample.speed / kSpeedStep, sample.mach / kMachStep,
-                       sample.load_factor / kLoadStep, sample.fuel / kFuelStep};
-  for (std::size_t i = 0; i < now.size(); ++i)
-    if (std::fabs(now[i] - noted_[i]) > kLargeSteps) {
-      sample.wanted = true;
-      noted_[i] = now[i];
-    }
   samples_.push_back(std::move(sample));
 }
 
@@ -140,12 +133,23 @@ void AcmiObject::write(const Reference& reference, std::vector<AcmiLine>& lines)
   kept.front() = kept.back() = true;
   thin(poses, kept, kTolerance);
   for (std::size_t i = begun_ ? 1 : 0; i < samples_.size(); ++i)
-    if (kept[i]) {
+    if (kept[i] || moved_far(samples_[i])) {
       lines.push_back({samples_[i].step, AcmiLine::Kind::object, {}});
       line(samples_[i], reference, lines.back().text);
     }
   begun_ = true;
   samples_.erase(samples_.begin(), samples_.end() - 1);
+}
+
+/// Whether an instrument is far from what stands in the file.
+bool AcmiObject::moved_far(const AcmiSample& s) const {
+  const auto is_far = [](double written, double value, double step) {
+    return std::fabs(value - written) > kLargeSteps * step;
+  };
+  return (s.speed >= 0 && is_far(told_.speed, s.speed, kSpeedStep)) ||
+         (s.mach > 0 && (is_far(told_.mach, s.mach, kMachStep) ||
+                         is_far(told_.load_factor, s.load_factor, kLoadStep))) ||
+         (s.fuel >= 0 && is_far(told_.fuel, s.fuel, kFuelStep));
 }
 
 void AcmiObject::line(const AcmiSample& s, const Reference& reference, std::string& text) {

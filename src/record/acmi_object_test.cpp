@@ -99,6 +99,32 @@ TEST(AcmiObject, WritesASampleWhereAnInstrumentHasMovedFar) {
   EXPECT_NE(lines[1].text.find("VerticalGForce=4.0"), std::string::npos) << lines[1].text;
 }
 
+/// Of what stands in the file, not of the last time that it had moved far.
+TEST(AcmiObject, WritesASampleWhereAnInstrumentIsFarFromWhatWasTold) {
+  AcmiObject object(PlayerId{1}, "");
+  const auto load = [](int i) { return i < 3 ? 1.0 : i < 8 ? 1.6 : i == 8 ? 1.2 : 1.68; };
+  for (int i = 0; i < 20; ++i)
+    object.see({.step = static_cast<std::uint64_t>(10 * i),
+                .pose = {.time = 0.2 * i, .position = {50.0 * i, i == 8 ? 40.0 : 0, 0}},
+                .speed = 250,
+                .mach = 0.8,
+                .load_factor = load(i),
+                .fuel = 4000});
+  std::vector<AcmiLine> lines;
+  object.write(Reference(Geodetic{}), lines);
+  double told = 0;
+  std::size_t next = 0;
+  for (int i = 0; i < 20; ++i) {
+    if (next < lines.size() && lines[next].step == static_cast<std::uint64_t>(10 * i)) {
+      const std::size_t at = lines[next].text.find("VerticalGForce=");
+      told = at == std::string::npos ? told : std::stod(lines[next].text.substr(at + 15));
+      ++next;
+    }
+    EXPECT_NEAR(load(i), told, 0.5) << i;
+    EXPECT_TRUE(i != 8 || told < 1.3) << "a corner of the way tells it by the way";
+  }
+}
+
 TEST(Thin, LeavesOutWhatLiesOnALine) {
   std::vector<Pose> poses;
   for (int i = 0; i < 20; ++i)

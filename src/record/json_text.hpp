@@ -18,4 +18,21 @@ template <class Json>
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + '\n';
 }
 
+/// What json_lines() makes of an array, one by one.
+class JsonList {
+ public:
+  template <class Json>
+  [[nodiscard]] std::string next(const Json& json) {
+    std::string text = any_ ? ",\n  " : "[\n  ";
+    any_ = true;
+    for (const char c : json.dump(2, ' ', true, Json::error_handler_t::replace))
+      text += c == '\n' ? "\n  " : std::string_view(&c, 1);
+    return text;
+  }
+  [[nodiscard]] std::string end() const { return any_ ? "\n]\n" : "[]\n"; }
+
+ private:
+  bool any_ = false;
+};
+
 }  // namespace eyrie::record

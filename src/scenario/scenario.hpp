@@ -52,11 +52,12 @@ struct Scenario {
   [[nodiscard]] const Fleet& fleet_of(PlayerId who) const {
     return *fleets[roster.find(who)->fleet];
   }
-  [[nodiscard]] std::size_t tree_count() const {
-    std::size_t count = 0;
+  /// Of all fleets; one that serves pilots and drivers twice.
+  [[nodiscard]] std::vector<const ubf::AnyTree*> all_trees() const {
+    std::vector<const ubf::AnyTree*> all;
     for (const auto& fleet : fleets)
-      count += fleet->trees.size();
-    return count;
+      all.insert(all.end(), fleet->trees.begin(), fleet->trees.end());
+    return all;
   }
   /// A player's fleet and row in a world; nothing if it is not there.
   struct Found {

@@ -4,10 +4,13 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
@@ -23,9 +26,31 @@ std::optional<std::string> unwritable(const std::string& path) {
   return {};
 }
 
+/// Which table or column may be meant by one that there is not.
+std::string names_meant(sqlite3* database, std::string_view message) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 2> kKinds{{
+      {"no such table: ", "SELECT name FROM sqlite_master WHERE type = 'table'"},
+      {"no such column: ",
+       "SELECT c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'"},
+  }};
+  for (const auto& [begin, sql] : kKinds) {
+    sqlite3_stmt* all = nullptr;
+    if (!message.starts_with(begin) ||
+        sqlite3_prepare_v2(database, sql, -1, &all, nullptr) != SQLITE_OK)
+      continue;
+    std::vector<std::string> names;
+    while (sqlite3_step(all) == SQLITE_ROW)
+      names.emplace_back(reinterpret_cast<const char*>(sqlite3_column_text(all, 0)));
+    sqlite3_finalize(all);
+    return nearest_or_all(message.substr(begin.size()), names);
+  }
+  return "";
+}
+
 /// To be called right after what has failed: SQLite keeps no errno of a write.
 [[noreturn]] void fail(sqlite3* database) {
   const int call = errno, code = sqlite3_errcode(database);
+  const std::string message = sqlite3_errmsg(database);
   const char* path = sqlite3_db_filename(database, nullptr);
   if (code == SQLITE_READONLY && path)
     if (const auto why = unwritable(path))
@@ -36,7 +61,7 @@ std::optional<std::string> unwritable(const std::string& path) {
                   : code == SQLITE_IOERR    ? disk::words_of(call)
                   : code == SQLITE_CANTOPEN ? disk::words_of(sqlite3_system_errno(database))
                   : code == SQLITE_BUSY ? "another program has locked it; wait until it has ended"
-                                        : sqlite3_errmsg(database));
+                                        : message + names_meant(database, message));
   for (const int mistake : {SQLITE_ERROR, SQLITE_READONLY, SQLITE_CORRUPT, SQLITE_NOTADB,
                             SQLITE_TOOBIG, SQLITE_MISMATCH})
     if (code == mistake)

@@ -35,6 +35,25 @@ TEST(Database, GivesBackWhatWasPutIn) {
   EXPECT_FALSE(all.step());
 }
 
+TEST(Database, NamesWhatIsMeant) {
+  const test::TempFolder folder;
+  Database database(folder / "x.db", Access::create);
+  database.run("CREATE TABLE cells (cell INTEGER, command TEXT)");
+  const auto refused = [&](const char* sql) -> std::string {
+    try {
+      static_cast<void>(database.prepare(sql));
+    } catch (const disk::Refused& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_TRUE(
+      refused("SELECT * FROM cels").ends_with("no such table: cels; did you mean 'cells'?"));
+  EXPECT_TRUE(refused("SELECT comand FROM cells")
+                  .ends_with("no such column: comand; did you mean 'command'?"));
+  EXPECT_TRUE(refused("SELECT * FROM xyz").ends_with("no such table: xyz, only cells"));
+}
+
 TEST(Database, ThatIsNotThereIsNotMade) {
   const test::TempFolder folder;
   for (const Access access : {Access::read, Access::write})

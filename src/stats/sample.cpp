@@ -115,6 +115,16 @@ double Moments::error() const {
   return n_ ? std::sqrt(variance() / static_cast<double>(n_)) : 0;
 }
 
+double mean_difference(const Moments& differences) {
+  const double mean = differences.mean();
+  return std::abs(mean) > 1e-12 * differences.error() ? mean : 0;
+}
+
+double mean_difference(const Moments& one, const Moments& than) {
+  const double difference = one.mean() - than.mean();
+  return std::abs(difference) > 1e-12 * std::abs(one.mean()) ? difference : 0;
+}
+
 std::optional<Interval> t_interval(const Moments& moments, double confidence) {
   if (moments.n() < 2 || moments.constant())
     return std::nullopt;

@@ -66,6 +66,11 @@ class Moments {
   double mean_ = 0, squares_ = 0;  ///< about the mean
 };
 
+/// The mean of paired differences; 0 if it is rounding.
+[[nodiscard]] double mean_difference(const Moments& differences);
+/// Of what one mean is more than another, independent one; 0 if it is rounding.
+[[nodiscard]] double mean_difference(const Moments& one, const Moments& than);
+
 /// Student's interval of a mean; of paired differences, if those were added. Nothing if it has no
 /// bounds: of fewer than two numbers, or if all are the same.
 [[nodiscard]] std::optional<Interval> t_interval(const Moments& moments, double confidence = 0.95);

@@ -60,6 +60,20 @@ TEST(Independent, MeansAreComparedByWelch) {
   EXPECT_TRUE(welch_interval(a, same));
   EXPECT_EQ(welch_test(a, Moments()), 1);
 }
+TEST(Independent, ADifferenceOfRoundingIsNone) {
+  Moments forth, back, pairs, other;
+  for (int i = 1; i <= 14; ++i) {
+    forth.add(1.0 / i);
+    back.add(1.0 / (15 - i));
+    pairs.add(1.0 / i - 1.0 / (15 - i));
+    other.add(1.0 / i + 1e-9);
+  }
+  ASSERT_NE(forth.mean(), back.mean()) << "so there is something to leave out";
+  ASSERT_NE(pairs.mean(), 0);
+  EXPECT_EQ(mean_difference(forth, back), 0);
+  EXPECT_EQ(mean_difference(pairs), 0);
+  EXPECT_NEAR(mean_difference(other, back), 1e-9, 1e-15);
+}
 TEST(Independent, SharesAreComparedByFisher) {
   EXPECT_NEAR(fisher({8, 10}, {1, 6}), 0.034965034965034975, 1e-12);
   EXPECT_NEAR(fisher({30, 100}, {12, 70}), 0.07076310792036458, 1e-12);

@@ -12,6 +12,7 @@ struct Value {
   std::string unit;              ///< SI, "" for none
   std::optional<double> number;  ///< in that unit; none: not a number, or no value
   std::string text;              ///< for people: "045°", "follow", "-"
+  bool held = false;             ///< of a node's answer: it was proposed in an earlier decision
 };
 
 /// What one node answered.

@@ -20,9 +20,10 @@ std::string spoken(const ubf::AnyNode& node) {
   return std::string(node.label());
 }
 
-/// Whether a node, or somebody below it, proposes a field now.
-bool proposes(const Answer& node, const std::string& field) {
-  return std::ranges::find(node.action, field, &Value::name) != node.action.end();
+/// What a node, or somebody below it, proposes for a field now, or holds; null: nothing.
+const Value* proposal_of(const Answer& node, const std::string& field) {
+  const auto found = std::ranges::find(node.action, field, &Value::name);
+  return found == node.action.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -62,22 +63,25 @@ std::vector<Won> contest(const std::vector<Answer>& nodes,
   std::vector<Won> all;
   for (const Value& value : nodes[0].action) {
     const ubf::NodeIndex winner = winners[all.size()];
-    const bool held = !proposes(nodes[winner], value.name);
     Won won{.value = value,
             .winner = winner,
-            .blended = !held && !nodes[winner].is_leaf,
-            .held = held,
+            .blended = !value.held && !nodes[winner].is_leaf,
+            .held = value.held,
             .rivals = {}};
+    const auto has_it = [&](ubf::NodeIndex node) {
+      const Value* const proposed = proposal_of(nodes[node], value.name);
+      return proposed && proposed->held == value.held;
+    };
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       const auto node = static_cast<ubf::NodeIndex>(n);
-      const auto proposed = std::ranges::find(nodes[n].action, value.name, &Value::name);
-      if (node == winner || !nodes[n].is_leaf || proposed == nodes[n].action.end())
+      const Value* const proposed = proposal_of(nodes[n], value.name);
+      if (node == winner || !nodes[n].is_leaf || !proposed)
         continue;
       auto [its, mine] = parting(nodes, node, winner);
-      while (!proposes(nodes[mine], value.name))
+      while (!has_it(mine))
         mine = nodes[mine].parent;  // up to who holds it; the root has it
       won.rivals.push_back({node, *proposed, nodes[mine].counted(), nodes[its].counted(),
-                            proposes(nodes[its], value.name)});
+                            proposal_of(nodes[its], value.name) != nullptr});
     }
     std::ranges::stable_sort(won.rivals, std::greater<>(),
                              [](const Rival& r) { return std::pair(r.came_up, r.vote); });

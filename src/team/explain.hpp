@@ -64,6 +64,11 @@ std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Acti
     answer.given = given_vote(trace, index);
     answer.halts = row.halts;
     answer.action = values_of(row.proposal.action);
+    auto value = answer.action.begin();
+    ubf::for_each_field<Action>([&](const auto& f, auto field) {
+      if (row.proposal.action.*f.member)
+        (value++)->held = row.held[field];
+    });
     std::string said = row.ticked ? why(tree, trace, index) : "";
     // who fails without a word has failed for what its kind says of all
     if (!said.empty() || !row.ticked || row.status != ubf::Status::failure)

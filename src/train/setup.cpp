@@ -41,8 +41,11 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
   if (!task_.votes)
     controls_ = pilot::Controls(task_.controls, {"controls", 1, 1});
   for (const Reward& r : task_.rewards) {
-    if (!std::isfinite(r.weight))
-      refuse("reward {}: its weight {} is no finite number", enum_name(r.term), r.weight);
+    constexpr double kMostWeight = 1e9;  // rewards are single precision
+    if (!(std::fabs(r.weight) <= kMostWeight))
+      refuse("reward {}: its weight {} is outside [-1e9, 1e9]", enum_name(r.term), r.weight);
+    if ((r.low != 0 || r.high != 0) && !has_range(r.term))
+      refuse("reward {} has no range", enum_name(r.term));
     if (!(r.low <= r.high) || !std::isfinite(r.high - r.low) ||
         (r.term == Term::closing && !(r.high > 0)))
       refuse("reward {}: {} to {} is no range", enum_name(r.term), r.low, r.high);

@@ -34,6 +34,12 @@ constexpr auto names_of(Term) {
                                "low", "formation");
 }
 
+/// Whether a term goes by the `low` and `high` of its reward.
+[[nodiscard]] constexpr bool has_range(Term term) {
+  return term == Term::nose_on || term == Term::advantage || term == Term::closeness ||
+         term == Term::closing || term == Term::low || term == Term::formation;
+}
+
 /// A term with its weight. nose_on and advantage have a range too, if `high` is above `low`: they
 /// count in full within `low` m of the enemy and not from `high` on.
 struct Reward {

@@ -323,6 +323,10 @@ void NodeReader::read_children(AnyNode& node, const NodeSpec& spec) {
   } else {
     if (!refuse_nodes_as_keys(spec))
       return;
+    if (const Value* child = spec.body->find("child"); child && !takes_one) {
+      diagnostics_.error(child->where, "{} has 'children', a list, and no 'child'", spec.type);
+      return;
+    }
     bind(node, *spec.body,
          takes_one ? std::vector<std::string_view>{"children", "child"}
                    : std::vector<std::string_view>{"children"});

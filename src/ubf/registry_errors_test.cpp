@@ -104,6 +104,8 @@ TEST(RegistryErrors, ADecoratorTakesExactlyOneChild) {
 TEST(RegistryErrors, CommitmentTakesOneFormOfChildren) {
   EXPECT_EQ(mistakes("{commitment: {margin: 1, child: {probe: {cue: 1}}, children: []}}"),
             "test.yaml:1:33: commitment has either 'child' or 'children'");
+  EXPECT_EQ(mistakes("{selector: {child: {probe: {cue: 1}}}}"),
+            "test.yaml:1:20: selector has 'children', a list, and no 'child'");
   EXPECT_EQ(mistakes("{commitment: [{probe: {cue: 1}}]}"),
             "test.yaml:1:2: commitment needs 'margin', 'min_time' or 'hold' above 0, or it commits "
             "to nothing");

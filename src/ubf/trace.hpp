@@ -20,6 +20,8 @@ class Trace final : public AnyTrace {
     /// Per field the node that supplied it: a leaf, or the arbiter that blended it; kNone if the
     /// field is empty.
     std::array<NodeIndex, kFields<Action>> supplier = none();
+    /// Per field whether the supplier proposed it in an earlier tick, whatever it answered in this.
+    std::array<bool, kFields<Action>> held{};
   };
 
   explicit Trace(std::size_t nodes) : AnyTrace(typeid(Action), nodes), rows_(nodes) {}
@@ -51,6 +53,7 @@ class Trace final : public AnyTrace {
       row.halts = 0;
       row.proposal.clear();
       row.supplier = none();
+      row.held = {};
     }
   }
   void record(NodeIndex node, Status status, const Proposal<Action>& proposal) {
@@ -64,7 +67,9 @@ class Trace final : public AnyTrace {
     if (row.proposal.is_empty())
       row.proposal.leader = kNone;
     for_each_field<Action>([&](const auto& f, auto i) {
-      if (!(row.proposal.action.*f.member))
+      const bool set = bool(row.proposal.action.*f.member);
+      row.held[i] &= set;
+      if (!set)
         row.supplier[i] = kNone;
       else if (row.supplier[i] == kNone)
         row.supplier[i] = node;
@@ -76,14 +81,20 @@ class Trace final : public AnyTrace {
   }
   /// `node` hands on what `child` proposed in an earlier tick.
   void supplied(NodeIndex node, NodeIndex child, const Action& action) {
-    for_each_field<Action>(
-        [&](const auto& f, auto i) { rows_[node].supplier[i] = action.*f.member ? child : kNone; });
+    for_each_field<Action>([&](const auto& f, auto i) {
+      rows_[node].held[i] = bool(action.*f.member);
+      rows_[node].supplier[i] = action.*f.member ? child : kNone;
+    });
   }
   /// `node` hands on what `child` proposed.
-  void took(NodeIndex node, NodeIndex child) { rows_[node].supplier = rows_[child].supplier; }
+  void took(NodeIndex node, NodeIndex child) {
+    rows_[node].supplier = rows_[child].supplier;
+    rows_[node].held = rows_[child].held;
+  }
   /// `node` hands on one field from `child`.
   void took(NodeIndex node, NodeIndex child, std::size_t field) {
     rows_[node].supplier[field] = rows_[child].supplier[field];
+    rows_[node].held[field] = rows_[child].held[field];
   }
 
  private:

@@ -22,7 +22,7 @@ struct Written {
   static constexpr std::string_view type_name = "vote";
   static constexpr auto params() {
     return Lines{
-        param("least", &Written::least, range(0, 1000), "never less than this"),
+        param("least", &Written::least, range(0, 1000), "the vote where the product is 0"),
         param("of", &Written::of, "the state field that is looked at").required(),
         param("from", &Written::from, range(-1e12, 1e12), "where there is nothing of the vote"),
         param("to", &Written::to, range(-1e12, 1e12), "where there is all of it"),

@@ -38,7 +38,8 @@ struct Consideration {
   [[nodiscard]] double score(double value) const;
 };
 
-/// Which share of its vote a node sends up: the product of the scores, but never below `least`.
+/// Which share of its vote a node sends up: it rises with the product of the scores, from `least`
+/// to 1.
 struct VoteCurve {
   static constexpr std::size_t kMost = 6;
   using Scores = std::array<float, kMost>;

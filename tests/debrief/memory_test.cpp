@@ -133,9 +133,11 @@ TEST(WhatIf, ForgetsWithAnOrderToUseTheTreeThatIsUsed) {
 
 std::vector<std::string> changes_of(const Recorded& run) {
   std::vector<std::string> all;
-  for (const debrief::Change& change : look(run, PlayerId{1}, {.changes = true}).changes)
+  const auto found = look(run, PlayerId{1}, {.changes = true}, [&](const debrief::Change& change) {
     all.push_back(
         fmt::format("{:.1f} {} -> {}: {}", change.now.time, change.from, change.to, change.why));
+  });
+  EXPECT_EQ(found.count, all.size());
   return all;
 }
 

@@ -83,12 +83,16 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
     ASSERT_EQ(tree["name"], decision->tree);
     ASSERT_EQ(shape["leader"].get<int>(),
               decision->leader == ubf::kNone ? -1 : static_cast<int>(decision->leader));
-    std::map<std::pair<std::size_t, int>, std::size_t> supplier;
+    struct Supplier {
+      std::size_t node;
+      bool held;
+    };
+    std::map<std::pair<std::size_t, int>, Supplier> supplier;
     for (const json& row : shape["supplier"])
       for (std::size_t f = 0; f + 1 < row.size(); ++f)
-        if (row[f + 1] >= 0)
-          supplier[{row[0].get<std::size_t>(), static_cast<int>(f)}] =
-              row[f + 1].get<std::size_t>();
+        if (const int from = row[f + 1]; from != -1)
+          supplier[{row[0].get<std::size_t>(), static_cast<int>(f)}] = {
+              static_cast<std::size_t>(from < 0 ? -2 - from : from), from < 0};
     for (std::size_t i = 0; i < decision->nodes.size(); ++i) {
       const debrief::Answer& answer = decision->nodes[i];
       ASSERT_EQ(tree["nodes"][i]["path"], answer.path);
@@ -99,16 +103,11 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
                         : answer.status == ubf::Status::success ? 'S'
                                                                 : 'R');
     }
-    const auto sets = [&](std::size_t node, int field) {
-      const auto own = supplier.find({node, field});
-      return own != supplier.end() && own->second == node;
-    };
     std::map<std::pair<std::size_t, int>, double> said;
     for (auto& [key, column] : values) {  // every value in its column, in the same order
       const auto node = static_cast<std::size_t>(key.first);
       const auto own = supplier.find({node, key.second});
-      if (own == supplier.end() ||
-          (own->second != node && (node != 0 || sets(own->second, key.second))))
+      if (own == supplier.end() || (own->second.held ? node != 0 : own->second.node != node))
         continue;
       const std::string& name = fields[static_cast<std::size_t>(key.second)]["name"];
       const double value = column.all.at(column.next++);
@@ -124,8 +123,8 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
                                       [&](const json& f) { return f["name"] == won.value.name; });
       ASSERT_NE(field, fields.end());
       const auto index = static_cast<int>(field - fields.begin());
-      ASSERT_EQ((supplier.at({0, index})), won.winner);
-      ASSERT_EQ(won.held, !sets(won.winner, index));
+      ASSERT_EQ((supplier.at({0, index}).node), won.winner);
+      ASSERT_EQ((supplier.at({0, index}).held), won.held);
       held += won.held;
       const double value = said.at({won.held ? 0 : won.winner, index});
       if (won.value.number) {

@@ -40,6 +40,10 @@ TEST(Home, ListsScenariosFliesOneAndThenItsRun) {
   EXPECT_EQ(said({{"scenario", "/etc/passwd"}})["refused"], "there is no scenario '/etc/passwd'");
   const std::string wrong = said({{"scenario", "merge"}, {"sets", {"untill=1 min"}}})["refused"];
   EXPECT_NE(wrong.find("did you mean 'until'?"), wrong.npos) << wrong;
+  for (const char* set : {"plugins=/etc/passwx", "plugins.0=/etc/passwd", "\"plugins\"=[x]"})
+    EXPECT_EQ(said({{"scenario", "merge"}, {"sets", {set}}})["refused"],
+              "it uses plug-ins, which browsers cannot")
+        << set;
   EXPECT_EQ(said({{"scenario", "merge"}, {"seed", "-1"}})["refused"],
             "seed: expected digits of a number below 2^64, got '-1'");
   EXPECT_EQ(said({{"scenario", "merge"}, {"seed", "8"}, {"sets", {"until=20 s"}}})["flies"],
@@ -68,6 +72,7 @@ TEST(Home, ListsScenariosFliesOneAndThenItsRun) {
   EXPECT_EQ(Json::parse(body(home.ask("/api/runs")))[0]["name"], "\u00fc & b");
   EXPECT_NE(home.ask("/debrief?run=%C3%BC%20%26%20b").find("application/x-eyrie-run"),
             std::string::npos);
+  EXPECT_TRUE(home.ask("/debrief?run=nosuch").starts_with("HTTP/1.1 404 "));
   for (const char* bad : {"/debrief", "/debrief?run=", "/debrief?run=../runs/merge-8", "/debrief?r",
                           "/debrief?run=%2e%2e%2fruns%2fmerge-8", "/debrief?run=%00",
                           "/debrief?run=merge-8&run=merge-8&run=merge-8", "/api/else"})

@@ -354,8 +354,7 @@ test('the address leads back to the same moment', { skip: kNoPage }, async () =>
   await select('eagle2');
   await go_to(587.3);
   await page.waitForFunction(() => location.hash.includes('t=587.3') && location.hash.includes('p=eagle2'));
-  const fragment = await page.evaluate(() => location.hash);
-  const again = await open_page(browser, { fragment, theme: 'dark', width: 3840, height: 2160 });
+  const again = await open_page(browser, { fragment: await page.evaluate(() => location.hash), theme: 'dark', width: 3840, height: 2160 });
   const { time, selected } = await again.page.evaluate(() => window.eyrie!.store.get());
   assert.deepEqual([time, selected], [587.3, await page.evaluate(() => window.eyrie!.store.get().selected)]);
   await shoot(again.page, 'moment-dark-3840');
@@ -371,6 +370,7 @@ describe('two runs on one page', { skip: kNoProgram }, () => {
     const who = /^(\w+): (\w+) leads\b.*? and (\w+) leads\b.* in the other$/.exec(parting.text);
     assert.ok(who, parting.text);
     const two = await open_file(browser, file, { fragment: `#p=${who[1]}`, width: 1600, height: 900 });
+    assert.doesNotMatch(await two.page.textContent('.parting'), /alike|same/, 'nobody knows while they are being flown');
     await two.page.waitForSelector('body[data-ready=true]');
     assert.deepEqual([await two.page.evaluate(() => window.eyrie!.runs.length), (await two.page.$$('.stage canvas')).length >= 2], [2, true]);
     assert.deepEqual(await two.page.$$eval('.about .own', (all) => all.map((one) => one.textContent)), ['release_weapon.zone=1']);

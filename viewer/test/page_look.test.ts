@@ -97,6 +97,20 @@ test('units are metric if somebody wants that, everywhere', { skip: kNoPage }, a
   await page.evaluate(() => window.eyrie!.store.set({ units: 'aviation' }));
 });
 
+test('who is seen is as far off the nose as his bearing is off the heading', { skip: kNoPage }, async () => {
+  await go_to(499.2);
+  await page.waitForSelector('.tracks tr.target');
+  const off = await page.$$eval('.tracks tbody tr', (rows) => {
+    const degrees = (of: Element | null): number => {
+      const [size, way] = of!.textContent!.split('°');
+      return parseFloat(size!) * (way!.includes('left') ? -1 : 1);
+    };
+    const heading = degrees(document.querySelector('[data-state=heading] dd'));
+    return rows.map((row) => Math.abs(((degrees(row.children[3]!) - heading - degrees(row.children[4]!)) % 360 + 540) % 360 - 180));
+  });
+  assert.ok(off.length > 0 && off.every((error) => error < 1.6), `${off}`);
+});
+
 test('a time can be typed', { skip: kNoPage }, async () => {
   await page.fill('input[aria-label=Time]', '8:20.5');
   await page.keyboard.press('Enter');

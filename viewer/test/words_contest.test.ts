@@ -100,14 +100,17 @@ test('answers and changes of leader are told in words', () => {
   assert.deepEqual(path_of_leader(run, now!), new Set([find(run, 'release'), find(run, 'bvr'), 0]));
 });
 
-test('what a node holds of somebody who did not propose it this time is neither blended nor won by votes against him', () => {
-  const run = run_of(node('root', 'per_field', [node('steady', 'commitment', [leaf('pursue'), leaf('navigate')]), leaf('follow')]),
-    [{ pursue: { status: 'failure' }, navigate: { vote: 10, heading: 2 }, follow: { vote: 20, heading: 3 } }], (all, tree) => {
-      const pursue = tree.nodes.findIndex(({ label }) => label === 'pursue');
-      for (const holder of [0, tree.nodes.findIndex(({ label }) => label === 'steady')])
-        all[holder] = { ...all[holder]!, status: 'running', vote: 40, supplier: Int16Array.from(all[holder]!.supplier, (_, f) => (f === 0 ? pursue : -1)), action: Float64Array.of(1) };
-    });
-  const [heading] = contest(run, 0, 0);
-  assert.deepEqual([heading!.value, heading!.held, heading!.blended, heading!.reason], [1, true, false, 'held from an earlier decision']);
-  assert.deepEqual(heading!.rivals.map(({ vote, against }) => [vote, against]), [[20, 40], [10, 40]]);
-});
+for (const [now, pursue_says] of [['did not propose it this time', { status: 'failure' }], ['proposes another one, without a vote', { vote: 0, heading: 5 }]] as const)
+  test(`what a node holds of somebody who ${now} is neither blended nor won by votes against him`, () => {
+    const run = run_of(node('root', 'per_field', [node('steady', 'commitment', [leaf('pursue'), leaf('navigate')]), leaf('follow')]),
+      [{ pursue: pursue_says, navigate: { vote: 10, heading: 2 }, follow: { vote: 20, heading: 3 } }], (all, tree) => {
+        const pursue = tree.nodes.findIndex(({ label }) => label === 'pursue');
+        for (const holder of [0, tree.nodes.findIndex(({ label }) => label === 'steady')]) {
+          const supplier = Int16Array.from(all[holder]!.supplier, (_, f) => (f === 0 ? pursue : -1));
+          all[holder] = { ...all[holder]!, status: 'running', vote: 40, supplier, held: Array.from(supplier, (_, f) => f === 0), action: Float64Array.of(1) };
+        }
+      });
+    const [heading] = contest(run, 0, 0);
+    assert.deepEqual([heading!.value, heading!.held, heading!.blended, heading!.reason], [1, true, false, 'held from an earlier decision']);
+    assert.deepEqual(heading!.rivals.map(({ vote, against }) => [vote, against]), [[20, 40], [10, 40]]);
+  });

@@ -25,6 +25,7 @@ export interface Proposal {
   action: Float64Array;
   /** By field the node that supplied it; -1: not set. */
   supplier: Int16Array;
+  held?: boolean[];
   leader: number;
 }
 
@@ -118,6 +119,7 @@ function shape_of(all: Proposal[]): Shape {
     counted: all.map((p) => p.given ?? p.vote),
     why: all.map(() => ''),
     supplier: all.map((p) => (p.supplier.some((s) => s >= 0) ? Int16Array.from(p.supplier) : null)),
+    held: all.map((p) => (p.supplier.some((s) => s >= 0) ? (p.held ?? Array.from(p.supplier, () => false)) : null)),
   };
 }
 
@@ -130,8 +132,7 @@ export function run_of(root: NodeSpec, decisions: Record<string, Said>[], more: 
   all.forEach((one) => more(one, tree));
   const shape = Int32Array.from(decisions, (said) => kinds.indexOf(said));
   const columns = new Map<string, Float64Array>();
-  const from = (s: number, n: number, f: number) => all[s]![n]!.supplier[f]!;
-  const sets = (s: number, n: number, f: number) => from(s, n, f) === n || (n === 0 && from(s, 0, f) >= 0 && from(s, from(s, 0, f), f) !== from(s, 0, f));
+  const sets = (s: number, n: number, f: number) => (all[s]![n]!.held?.[f] ? n === 0 : all[s]![n]!.supplier[f] === n);
   const column = (n: number, f: number) => Float64Array.from(shape, (s) => (sets(s, n, f) ? all[s]![n]!.action[f]! : NaN));
   const value = (n: number, f: number): Float64Array => {
     const key = `${n}/${f}`;

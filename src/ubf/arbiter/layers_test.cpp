@@ -170,8 +170,15 @@ TEST(Suppress, HoldsTheLastProposalOfTheHigherLayer) {
   EXPECT_EQ(robot.out.vote, 3);
   EXPECT_EQ(robot.leader(), "root/probe[0]");
   EXPECT_EQ(robot.supplier(0), "root/probe[0]");
+  EXPECT_TRUE(robot.trace.row(0).held[0]);
+  robot.say(0, kRunning, 0);  // proposes something else, without a vote
+  EXPECT_EQ(robot.tick_at(11.95), kRunning);
+  EXPECT_EQ(robot.out.action.heading, 1);
+  EXPECT_TRUE(robot.trace.row(0).held[0]);
+  EXPECT_FALSE(robot.trace.row(1).held[0]) << "what it proposes now";
   EXPECT_EQ(robot.tick_at(12), kRunning);
   EXPECT_EQ(robot.out.action.heading, 2);
+  EXPECT_FALSE(robot.trace.row(0).held[0]);
 }
 
 TEST(Suppress, FailsWhenBothAreSilentAndForgets) {

@@ -4,7 +4,7 @@
 import { MathUtils } from 'three';
 import { listen } from '../events.ts';
 import { convergence } from '../scene/geo.ts';
-import { last_at, type Player, type TrackSeen } from '../run/run.ts';
+import { last_at, source_of, type Player, type TrackSeen } from '../run/run.ts';
 import { Cell } from '../store.ts';
 import { keep, kept } from '../ui/link.ts';
 import type { Live } from './live.ts';
@@ -299,7 +299,7 @@ export function proposed(live: Live): Map<string, { value: number; by: string }>
   const tree = run.trees[shape.tree]!;
   run.platforms[player.kind].action.forEach(({ name }, field) => {
     const node = shape.supplier[0]?.[field] ?? -1;
-    if (node >= 0) found.set(name, { value: decisions.value(node, field)?.[at] ?? NaN, by: tree.nodes[node]!.label });
+    if (node >= 0) found.set(name, { value: decisions.value(source_of(shape, 0, field), field)?.[at] ?? NaN, by: tree.nodes[node]!.label });
   });
   return found;
 }

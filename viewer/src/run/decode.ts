@@ -71,7 +71,7 @@ export interface ShapeData extends Pick<Shape, 'tree' | 'leader' | 'vote'> {
   status: string;  // a letter a node: '-' not asked, F, S, R
   given: [node: number, vote: number][];  // votes that an arbiter put in the place of the node's own
   why: [node: number, text: number][];
-  supplier: number[][];  // [node, supplier of field 0, of field 1, ...]
+  supplier: number[][];  // [node, supplier of field 0, of field 1, ...]; -2 - supplier: held from an earlier decision
 }
 export interface Document extends Pick<Run, 'about' | 'origin' | 'platforms' | 'texts' | 'stores' | 'story'> {
   format: number;
@@ -113,10 +113,7 @@ function decisions_of<C>(read: Read<C>, data: DecisionData<C>, shapes: Shape[], 
   });
   // dense over the decisions in which the node set the field itself, or the root holds what nobody set this time
   const spread = (node: number, field: number, dense: Float64Array): Float64Array => {
-    const sets = ({ supplier }: Shape): boolean => {
-      const from = supplier[node]?.[field] ?? -1;
-      return from === node || (node === 0 && from >= 0 && supplier[from]?.[field] !== from);
-    };
+    const sets = ({ supplier, held }: Shape): boolean => (held[node]?.[field] ? node === 0 : supplier[node]?.[field] === node);
     let next = 0;
     return Float64Array.from(own.shape, (s) => (sets(shapes[s]!) ? dense[next++]! : NaN));
   };
@@ -167,8 +164,12 @@ export function shape_of(data: ShapeData, texts: string[]): Shape {
   const why = status.map(() => '');
   for (const [node, text] of data.why) why[node] = texts[text]!;
   const supplier: (Int16Array | null)[] = status.map(() => null);
-  for (const [node, ...fields] of data.supplier) supplier[node!] = Int16Array.from(fields);
-  return { ...data, status, counted, why, supplier };
+  const held: (boolean[] | null)[] = status.map(() => null);
+  for (const [node, ...fields] of data.supplier) {
+    supplier[node!] = Int16Array.from(fields, (from) => (from <= -2 ? -2 - from : from));
+    held[node!] = fields.map((from) => from <= -2);
+  }
+  return { ...data, status, counted, why, supplier, held };
 }
 
 function tree_of(data: Document['trees'][number]): Tree {

@@ -144,6 +144,14 @@ export interface Shape {
   /** Per node, per field of the action: the node that supplied it (a leaf, or the arbiter that
    * blended it), or -1: not set. Null for nodes that proposed nothing. */
   supplier: (Int16Array | null)[];
+  held: (boolean[] | null)[];  // Whether that one proposed it in an earlier decision, whatever it answered in this.
+}
+
+/** The node of which Decisions.value() has what `node` sent up for `field`; -1: none. */
+export function source_of({ supplier, held }: Shape, node: number, field: number): number {
+  const from = supplier[node]?.[field] ?? -1;
+  if (from < 0 || !held[node]![field]) return from;
+  return held[0]?.[field] && supplier[0]![field] === from ? 0 : -1; // Only the root's is recorded.
 }
 
 export interface Decisions {

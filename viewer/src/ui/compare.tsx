@@ -2,7 +2,7 @@
 /** Two runs on one page: who led in both, one above the other, and where they part: the first decision of a player that is
  * another one, the first story line that only one has. */
 import { useMemo } from 'preact/hooks';
-import type { Player, Run } from '../run/run.ts';
+import { source_of, type Player, type Run } from '../run/run.ts';
 import type { View } from '../store.ts';
 import { value_text, clock_text, reworded } from '../words/text.ts';
 import { jump, select } from './actions.ts';
@@ -68,6 +68,7 @@ function OtherLine({ pages }: { pages: Page[] }) {
 
 function Parting({ pages, player, both, decision }: { pages: Page[]; player: Player; both: boolean; decision: Divergence | null }) {
   const page = use_page();
+  if (pages.some(({ run }) => run.is_part)) return <div class="row parting"><div class="row-label" /><div class="row-plot dim">The runs are being flown again …</div></div>;
   return (
     <div class="row parting" data-divergence-step={decision?.step ?? ''} data-divergence-t={decision?.t ?? ''}>
       <div class="row-label" />
@@ -122,7 +123,7 @@ function keys_of(run: Run): string[] {
 /** What went up for `field` at a decision, as words can be compared between runs. */
 function root_value({ run, player }: Of, index: number, field: number): number | string | null {
   const shape = run.shapes[player.decisions.shape[index]!]!;
-  const node = shape.supplier[0]?.[field] ?? -1;
+  const node = source_of(shape, 0, field);
   const value = node < 0 ? NaN : (player.decisions.value(node, field)?.[index] ?? NaN);
   if (Number.isNaN(value)) return null;
   return run.platforms[player.kind].action[field]!.kind === 'text' ? run.texts[value]! : value;

@@ -2,7 +2,7 @@
 /** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
 import { VoteOrder } from '../live/controls.tsx';
 import type { Parameter } from '../engine/questions.ts';
-import type { Player, Shape, Tree } from '../run/run.ts';
+import { source_of, type Player, type Shape, type Tree } from '../run/run.ts';
 import { answer_words } from '../words/contest.ts';
 import { quantity_text, reworded, told_text } from '../words/text.ts';
 import { use_page } from './page.ts';
@@ -28,7 +28,8 @@ function Proposed({ player, index, tree, shape, node }: Looked) {
       {rows.map(({ supplier, field }) => (
         <div key={field}>
           <dt>{action[field]!.name}</dt>
-          <dd>{told_text(run, player, player.decisions.t[index]!, action[field]!, player.decisions.value(supplier, field)?.[index] ?? NaN)}
+          <dd>{shape.held[node]![field] && 'held '}
+            {told_text(run, player, player.decisions.t[index]!, action[field]!, player.decisions.value(source_of(shape, node, field), field)?.[index] ?? NaN)}
             {supplier !== node && <span class="dim"> {tree.nodes[supplier]!.label}</span>}</dd>
         </div>
       ))}

@@ -3,7 +3,7 @@
 import { useMemo } from 'preact/hooks';
 import { last_at, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
 import { convergence } from '../scene/geo.ts';
-import { new_pose, place_at, type Pose } from '../scene/motion.ts';
+import { new_pose, pose_at, type Pose } from '../scene/motion.ts';
 import { heading_text, height_text, quantity_text, side_text, value_text, clock_text, number_text } from '../words/text.ts';
 import { select } from './actions.ts';
 import { use_page } from './page.ts';
@@ -37,7 +37,7 @@ function Track({ track, own, north, heading }: { track: TrackSeen; own: Pose; no
 
 function Perceived({ player, sight }: { player: Player; sight: Sight }) {
   const own = new_pose();
-  place_at(player.motion, sight.t, own);
+  pose_at(player.motion, sight.t, own);
   const north = convergence(use_page().run.origin, own);
   const heading = own.heading + north;
   return (

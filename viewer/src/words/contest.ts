@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** One decision in words and numbers, as `eyrie explain` tells it: src/debrief/decision.cpp. */
-import type { Run, Shape, Tree } from '../run/run.ts';
+import { source_of, type Run, type Shape, type Tree } from '../run/run.ts';
 import { general } from './text.ts';
 
 /** Somebody who proposed a field that another one won. */
@@ -67,16 +67,16 @@ export function contest(run: Run, player: number, index: number): Won[] {
   const value = (node: number, field: number) => decisions.value(node, field)?.[index] ?? NaN;
 
   const won = (winner: number, field: number): Won => {
+    const held = shape.held[0]![field]!;
     const rivals = tree.nodes.flatMap(({ children }, node): Rival[] => {
       if (node === winner || children.length > 0 || !proposes(shape, node, field)) return [];
       let [its, mine] = parting(tree, node, winner);
-      while (!proposes(shape, mine, field)) mine = tree.nodes[mine]!.parent; // up to who holds it; the root has it
+      while (!proposes(shape, mine, field) || shape.held[mine]![field] !== held) mine = tree.nodes[mine]!.parent; // up to who holds it; the root has it
       return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]!, came_up: proposes(shape, its, field) }];
     });
     rivals.sort((a, b) => +b.came_up - +a.came_up || b.vote - a.vote || a.node - b.node);
-    const held = shape.supplier[winner]?.[field] !== winner;
     const blended = !held && tree.nodes[winner]!.children.length > 0;
-    return { field, value: value(held ? 0 : winner, field), winner, blended, held, reason: reason({ blended, held, rivals }), rivals };
+    return { field, value: value(source_of(shape, 0, field), field), winner, blended, held, reason: reason({ blended, held, rivals }), rivals };
   };
   return Array.from(shape.supplier[0] ?? []).flatMap((winner, field) => (winner >= 0 ? won(winner, field) : []));
 }
