@@ -132,7 +132,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   const scenario::Roster& roster = fuzz::flight().scenario().roster;
   const debrief::Decision decision = decision_of(texts);
-  const std::vector<Row> rows = expect_table(debrief::decisions_csv({&decision, 1}, roster));
+  const std::vector<Row> rows =
+      expect_table(std::string(debrief::kDecisionCsv) + debrief::decision_csv(decision, roster));
   demand(rows.size() == 1 + decision.nodes.size());
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const debrief::Answer& node = decision.nodes[i - 1];
