@@ -20,16 +20,21 @@ namespace {
 namespace fs = std::filesystem;
 using campaign::Spec;
 
+/// Whether one of them is that file, however it is written.
+bool has_file(const std::vector<std::string>& files, const std::string& wanted) {
+  return std::ranges::any_of(files, [&](const std::string& file) {
+    std::error_code ignored;
+    return file == wanted || fs::equivalent(file, wanted, ignored);
+  });
+}
+
 /// Plug-ins that the campaign names are opened as those that a scenario names: if they are trusted.
 void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
   for (std::size_t i = 0; i < spec.plugins.size(); ++i) {
     const std::string& plugin = spec.plugins[i];
-    std::error_code ignored;
-    const auto same = [&](const std::string& other) {
-      return fs::equivalent(plugin, other, ignored);
-    };
-    if (std::ranges::any_of(typed, same))
+    if (has_file(typed, plugin))
       continue;
+    std::error_code ignored;
     const disk::FileRead read = scenario::read_plugin_file(plugin);
     const std::string why =
         scenario::refusal(trusted(), fs::weakly_canonical(plugin, ignored).string(), read.bytes);
@@ -45,7 +50,9 @@ CampaignSource::CampaignSource(Spec& spec, const std::vector<std::string>& typed
                                const std::vector<std::string>& includes) {
   static_cast<void>(locate(spec.scenario, includes, spec.scenario_where));
   demand_trust(spec, typed);
-  spec.plugins.insert(spec.plugins.end(), typed.begin(), typed.end());
+  for (const std::string& plugin : typed)
+    if (!has_file(spec.plugins, plugin))
+      spec.plugins.push_back(plugin);
   plugins_ = spec.plugins;
   spec.includes = includes;
   check(spec, [&](const std::vector<std::string>& sets) {

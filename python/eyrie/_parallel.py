@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from pettingzoo import ParallelEnv
 
-from ._arguments import no_options
 from ._native_env import Floats, Infos, Native, Played, Saved, as_actions
 
 #: What step() gives, of each agent: observation, reward, terminated, truncated, info.
@@ -41,7 +40,7 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
     def reset(
         self, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[dict[str, Floats], dict[str, Infos]]:
-        no_options(options)
+        """Begins an episode. There are no options; PettingZoo's own test gives some."""
         if seed is not None:
             self._seeds = np.random.default_rng(seed)
         self._native.core.reset(int(self._seeds.integers(2**32)))

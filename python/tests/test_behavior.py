@@ -301,9 +301,9 @@ def test_wrong_definitions_are_named() -> None:
     with pytest.raises(TypeError, match="to: None is no number"):
         nothing = eyrie.param(None, help="x")  # type: ignore[arg-type]
         eyrie.behavior(name="none")(lambda state, to=nothing: None)
-    for plain in (True, "text"):
+    for other in (True, "text"):
         with pytest.raises(ValueError, match="no number and has none, not 'm'"):
-            eyrie.param(plain, "m", help="x")
+            eyrie.param(other, "m", help="x")
 
 
 def test_a_release_of_what_there_is_not_is_none() -> None:

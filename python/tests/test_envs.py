@@ -179,7 +179,7 @@ def test_rewards_are_weighed_otherwise() -> None:
 
 
 def test_reset_has_no_options() -> None:
-    for env in (envs.Env("merge"), envs.VectorEnv("merge", 2), envs.parallel("sweep")):
+    for env in (envs.Env("merge"), envs.VectorEnv("merge", 2)):
         env.reset(seed=1, options={})
         with pytest.raises(ValueError, match="options: reset.. has none, got 'reset_mask'"):
             env.reset(options={"reset_mask": np.array([True, False])})

@@ -184,7 +184,7 @@ std::vector<std::vector<std::string>> all_levels(const Summary& summary) {
 /// Between cells, of a measure: what their levels explain.
 struct Variance {
   std::map<std::string, stats::Moments> by_level{};
-  double part = 0;
+  double part = 0, total = 0;        ///< of the squares about the mean
   std::uint64_t n = 0;               ///< cells
   std::vector<std::string> order{};  ///< levels by first appearance
 };
@@ -205,8 +205,8 @@ Variance variance(const Summary& summary, std::size_t measure,
     between += static_cast<double>(moments.n()) * off * off;
   }
   v.n = all.n();
-  const double total = all.variance() * static_cast<double>(all.n() > 0 ? all.n() - 1 : 0);
-  v.part = total > 0 ? between / total : 0;
+  v.total = all.variance() * static_cast<double>(all.n() > 0 ? all.n() - 1 : 0);
+  v.part = v.total > 0 ? between / v.total : 0;
   return v;
 }
 
@@ -226,6 +226,19 @@ std::optional<Variance> crossed(const Summary& summary, std::size_t measure,
                           return level.second.n() == v.by_level.begin()->second.n();
                         });
   return balanced ? std::optional(std::move(v)) : std::nullopt;
+}
+
+/// What chance has in the mean of a cell's square, by the standard errors of all; nothing if they
+/// are not known.
+std::optional<double> noise(const Summary& summary, std::size_t measure) {
+  stats::Moments squares;
+  for (const auto& cell : summary.cells)
+    if (const Estimate& of = cell.estimates[measure]; of.value) {
+      if (!of.error)
+        return {};
+      squares.add(*of.error * *of.error);
+    }
+  return squares.mean();
 }
 
 /// Takes from the part of each factor what its levels would have by chance: as many times their
@@ -384,9 +397,13 @@ std::vector<Interaction> interactions(const Summary& summary) {
       free += static_cast<double>(alone[0].n);
     if (free < 0)  // more together than there are cells: each would explain what the others do
       continue;
+    // what is left tells chance; where nothing is, the replicates in the cells do
+    const auto chance = free > 0 ? std::optional(std::max(left, 0.0) / free) : noise(summary, m);
+    if (!chance)
+      continue;
     for (Interaction& i : some) {
-      if (free > 0)  // less what factors that do nothing together would have of it by chance
-        i.part -= freedom(i.one) * freedom(i.other) * std::max(left, 0.0) / free;
+      const double of_total = free > 0 ? 1 : 1 / alone[i.one].total;
+      i.part -= freedom(i.one) * freedom(i.other) * *chance * of_total;
       if (i.part > 1e-12)  // more than rounding
         all.push_back(i);
     }

@@ -94,8 +94,9 @@ TEST(Compare, TakesCellsOfOtherSeedsAsIndependent) {
   EXPECT_TRUE(found);
 }
 
-/// The summary of a full factorial of two factors with these values, the second changing fastest.
-Summary factorial(std::vector<double> values) {
+/// The summary of a full factorial of two factors with these values, the second changing fastest,
+/// each with that standard error.
+Summary factorial(std::vector<double> values, std::optional<double> error = 0.0) {
   Summary summary;
   summary.factors = {"a", "b"};
   summary.measures = {{"x", Measure::mean, 0, 0}};
@@ -104,7 +105,7 @@ Summary factorial(std::vector<double> values) {
                              "",
                              10,
                              0,
-                             {{10, values[i], std::nullopt}}});
+                             {{10, values[i], std::nullopt, error}}});
   return summary;
 }
 
@@ -174,6 +175,24 @@ TEST(Interactions, OfFactorsThatDoNothingAreNoneInTheMean) {
       sum += both.part / (400 * 3);
   }
   EXPECT_LT(sum, 0.1) << "of them chance alone would have 2/13, but what is below 0 is left out";
+}
+
+TEST(Interactions, OfTwoFactorsAloneAreToldFromChanceByTheReplicates) {
+  double sum = 0, together = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Draw draw(1, PlayerId{1}, Stream::test, i);
+    std::vector<double> values;
+    for (int cell = 0; cell < 4; ++cell)
+      values.push_back(draw.normal());
+    for (const Interaction& both : interactions(factorial(values, 1.0)))
+      sum += both.part / 400;
+    values[0] += 20;  // which three of the four effects share
+    for (const Interaction& both : interactions(factorial(values, 1.0)))
+      together += both.part / 400;
+  }
+  EXPECT_LT(sum, 0.16) << "of them chance alone has 1/3, but what is below 0 is left out";
+  EXPECT_NEAR(together, 1.0 / 3, 0.03);
+  EXPECT_TRUE(interactions(factorial({0, 1, 1, 0}, std::nullopt)).empty()) << "one replicate each";
 }
 
 TEST(Interactions, AreFoundBesideAThirdFactor) {

@@ -342,14 +342,18 @@ void Estimator::add(std::span<const double> values) {
 }
 
 Estimate Estimator::estimate(double confidence) const {
+  const auto of_several = [](std::uint64_t n, double error) {
+    return n > 1 ? std::optional(error) : std::nullopt;
+  };
   if (const auto* share = std::get_if<stats::Share>(&sum_))
     return {share->n, share->n ? std::optional(share->value()) : std::nullopt,
-            stats::wilson(*share, confidence)};
+            stats::wilson(*share, confidence), of_several(share->n, share->error())};
   if (const auto* moments = std::get_if<stats::Moments>(&sum_))
     return {moments->n(), moments->n() ? std::optional(moments->mean()) : std::nullopt,
-            stats::t_interval(*moments, confidence)};
+            stats::t_interval(*moments, confidence), of_several(moments->n(), moments->error())};
   const auto& ratio = std::get<stats::Ratio>(sum_);
-  return {ratio.n(), ratio.value(), ratio.fieller(confidence)};
+  return {ratio.n(), ratio.value(), ratio.fieller(confidence),
+          ratio.value() ? of_several(ratio.n(), ratio.error()) : std::nullopt};
 }
 
 }  // namespace eyrie::campaign

@@ -113,6 +113,7 @@ struct Estimate {
   std::uint64_t n = 0;                        ///< replicates to which it applies
   std::optional<double> value{};              ///< nothing of none, and of a ratio to 0
   std::optional<stats::Interval> interval{};  ///< nothing if it has no bounds
+  std::optional<double> error{};              ///< standard; nothing of fewer than two
 };
 
 /// Takes the replicates of a cell one by one. The same ones in the same order give the same bits.

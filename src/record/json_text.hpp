@@ -25,8 +25,12 @@ class JsonList {
   [[nodiscard]] std::string next(const Json& json) {
     std::string text = any_ ? ",\n  " : "[\n  ";
     any_ = true;
-    for (const char c : json.dump(2, ' ', true, Json::error_handler_t::replace))
-      text += c == '\n' ? "\n  " : std::string_view(&c, 1);
+    const std::string own = json.dump(2, ' ', true, Json::error_handler_t::replace);
+    for (std::size_t begin = 0, end = 0; end != own.npos; begin = end + 1) {
+      end = own.find('\n', begin);
+      text.append(own, begin, end == own.npos ? end : end + 1 - begin);
+      text += end == own.npos ? "" : "  ";
+    }
     return text;
   }
   [[nodiscard]] std::string end() const { return any_ ? "\n]\n" : "[]\n"; }

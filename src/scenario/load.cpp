@@ -65,8 +65,8 @@ class Loader {
     plans_ = read_plans(document_, diagnostics_, keys);
     for (const OtherPlan& plan : plans_.others)
       kinds_[plan.kind]->read(*plan.group, plan.side, diagnostics_);
-    trees_ = TreeBook::read(document_.find("trees"), plans_, out_->spec.orders,
-                            plugins_.registries(), changes_, diagnostics_, &source_, kinds_);
+    trees_ = TreeBook::read(document_, plans_, out_->spec.orders, plugins_.registries(), changes_,
+                            diagnostics_, &source_, kinds_);
     out_->trees = trees_.pilots();
     out_->driver_trees = trees_.drivers();
     models();

@@ -17,11 +17,12 @@ std::optional<std::size_t> check_package(const LoadRequest& request, Source sour
   if (const Value* v = document.find("plugins"))
     load_plugins(*v, request.may_open, plugins, source, diagnostics);
   diagnostics.throw_if_any();
-  const Value* trees = document.find("trees");
-  static_cast<void>(TreeBook::read(trees, {}, {}, plugins.registries(), {}, diagnostics, &source));
+  static_cast<void>(
+      TreeBook::read(document, {}, {}, plugins.registries(), {}, diagnostics, &source));
   model::Library library;
   static_cast<void>(DataLoader(library, document.find("data"), source, diagnostics));
   diagnostics.throw_if_any();
+  const Value* const trees = document.find("trees");
   return trees ? trees->entries.size() : 0;
 }
 

@@ -41,19 +41,22 @@ struct User {
 };
 using Users = std::map<std::string, User>;  // by tree
 
+/// `written` are the orders in the file.
 template <class Group>
 void note_users(const std::vector<Group>& groups, const std::vector<OrderSpec>& orders,
-                Users& users) {
-  std::unordered_multimap<std::string_view, const OrderSpec*> swaps;
-  for (const OrderSpec& order : orders)
-    if (order.swap_tree)
-      swaps.emplace(order.player, &order);
+                const Value* written, Users& users) {
+  using Swap = std::pair<std::string, Location>;  // the tree, and where it is named
+  std::unordered_multimap<std::string_view, Swap> swaps;
+  for (std::size_t i = 0; written && i < std::min(orders.size(), written->items.size()); ++i)
+    if (orders[i].swap_tree)
+      swaps.emplace(orders[i].player,
+                    Swap{*orders[i].swap_tree, written->items[i].where_of("swap_tree")});
   for (const Group& group : groups)
     for (const auto& player : group.players) {
       users.emplace(player.spec.tree, User{player.name, player.place("tree")});
       const auto [first, last] = swaps.equal_range(player.name);
       for (auto order = first; order != last; ++order)
-        users.emplace(*order->second->swap_tree, User{player.name, player.where});
+        users.emplace(order->second.first, User{player.name, order->second.second});
     }
 }
 
@@ -162,11 +165,12 @@ bool add_for(const User& user, const ubf::NamedSpec& spec, Own& own, Other& othe
 
 }  // namespace
 
-TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
-                        const Registries& registries, const std::vector<TreeChange>& changes,
-                        Diagnostics& diagnostics, Source* source,
-                        std::span<const std::unique_ptr<PlayerKind>> kinds) {
+TreeBook TreeBook::read(const Value& document, const Plans& plans,
+                        const std::vector<OrderSpec>& orders, const Registries& registries,
+                        const std::vector<TreeChange>& changes, Diagnostics& diagnostics,
+                        Source* source, std::span<const std::unique_ptr<PlayerKind>> kinds) {
   TreeBook book;
+  const Value* const map = document.find("trees");
   if (!map)
     return book;
   if (!map->is_map()) {
@@ -174,8 +178,9 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
     return book;
   }
   Users pilots, drivers;
-  note_users(plans.flights, orders, pilots);
-  note_users(plans.convoys, orders, drivers);
+  const Value* const written = document.find("orders");
+  note_users(plans.flights, orders, written, pilots);
+  note_users(plans.convoys, orders, written, drivers);
 
   if (map->entries.size() > kMostTrees) {
     book.too_many_ = true;

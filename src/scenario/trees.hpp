@@ -18,11 +18,12 @@ class Source;
 /// nobody uses is read as whichever it can be. Trees for other kinds of players go to them.
 class TreeBook {
  public:
-  /// Reads `trees:` of a document (null: there are none) for the players of `plans` and for orders.
+  /// Reads `trees:` of a document for the players of `plans` and for `orders`, which it has, too.
   /// `source`: of the files that nodes are made of, if they may have any.
-  static TreeBook read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
-                       const Registries& registries, const std::vector<TreeChange>& changes,
-                       Diagnostics& diagnostics, Source* source = nullptr,
+  static TreeBook read(const Value& document, const Plans& plans,
+                       const std::vector<OrderSpec>& orders, const Registries& registries,
+                       const std::vector<TreeChange>& changes, Diagnostics& diagnostics,
+                       Source* source = nullptr,
                        std::span<const std::unique_ptr<PlayerKind>> kinds = {});
 
   [[nodiscard]] const std::shared_ptr<pilot::Trees>& pilots() const { return pilots_; }

@@ -26,8 +26,7 @@ Book book_of(const std::string& trees, const std::string& flown, const std::stri
   const Plans plans = read_plans(document, diagnostics);
   EXPECT_TRUE(diagnostics.ok()) << diagnostics.text();
   Book book;
-  book.trees =
-      TreeBook::read(document.find("trees"), plans, {}, Plugins().registries(), {}, diagnostics);
+  book.trees = TreeBook::read(document, plans, {}, Plugins().registries(), {}, diagnostics);
   book.mistakes = diagnostics.text();
   return book;
 }
@@ -84,6 +83,23 @@ TEST(TreeBook, SaysThatATruckCannotFlyAndAnAircraftCannotScatter) {
             "'pursue')");
   EXPECT_EQ(book_of("trees: {air: pursue, road: scatter}", "road", "road").mistakes,
             "a:3:27: eagle1 is an aircraft, and tree 'road' is for drivers (a:1:28: there is no "
+            "node 'scatter')");
+}
+
+TEST(TreeBook, SaysWhereAnOrderNamesATreeOfTheOtherPlatform) {
+  Diagnostics diagnostics;
+  const Value document = parse_yaml(
+      "trees: {air: pursue, road: scatter}\n"
+      "orders: [{at: 1 s, player: eagle1, swap_tree: road}]\n"
+      "blue:\n  flights: {eagle: {tree: air, players: [eagle1]}}\n"
+      "  convoys: {truck: {tree: road, players: [truck1]}}\n",
+      "a", diagnostics);
+  const Plans plans = read_plans(document, diagnostics);
+  static_cast<void>(TreeBook::read(document, plans,
+                                   {{.at = 1, .player = "eagle1", .swap_tree = "road"}},
+                                   Plugins().registries(), {}, diagnostics));
+  EXPECT_EQ(diagnostics.text(),
+            "a:2:47: eagle1 is an aircraft, and tree 'road' is for drivers (a:1:28: there is no "
             "node 'scatter')");
 }
 

@@ -111,6 +111,10 @@ void Moments::add(double x) {
   squares_ += before * (x - mean_);
 }
 
+double Share::error() const {
+  return std::sqrt(value() * (1 - value()) / static_cast<double>(n - 1));
+}
+
 double Moments::error() const {
   return n_ ? std::sqrt(variance() / static_cast<double>(n_)) : 0;
 }
@@ -174,6 +178,14 @@ std::optional<double> Ratio::value() const {
 
 bool Ratio::divides(double confidence) const {
   return n() > 1 && std::abs(under_.mean()) > t_of(n(), confidence) * under_.error();
+}
+
+double Ratio::error() const {
+  const double count = static_cast<double>(n()), r = over_.mean() / under_.mean();
+  const double covariance = products_ / (count - 1);
+  const double variance =
+      over_.variance() - 2 * r * covariance + r * r * under_.variance();  // of over - r under
+  return std::sqrt(std::max(variance, 0.0) / count) / std::fabs(under_.mean());
 }
 
 std::optional<Interval> Ratio::fieller(double confidence) const {

@@ -20,6 +20,7 @@ struct Share {
   [[nodiscard]] double value() const {
     return n ? static_cast<double>(count) / static_cast<double>(n) : 0;
   }
+  [[nodiscard]] double error() const;  ///< standard, of more than one
 };
 
 /// Wilson's score interval (Journal of the American Statistical Association 22 (1927) 209): covers
@@ -95,6 +96,8 @@ class Ratio {
   /// Nothing if what it is divided by is 0.
   [[nodiscard]] std::optional<double> value() const;
   [[nodiscard]] const Moments& under() const { return under_; }
+  /// Standard, by linearization, of more than one: if there is a value.
+  [[nodiscard]] double error() const;
   /// Whether Student's test says that the sum below is not 0.
   [[nodiscard]] bool divides(double confidence = 0.95) const;
   /// Fieller's interval (Journal of the Royal Statistical Society B 16 (1954) 175). Nothing if it

@@ -124,6 +124,10 @@ TEST(Fieller, HoldsEveryRatioThatStudentsTestDoesNotReject) {
   const Ratio r = ratio(kX, kY);
   EXPECT_NEAR(*r.value(), 1.3125, 1e-14);
   expect_near(r.fieller(), 0.9713873444625857, 1.9301474049376588);
+  Moments parts;  // of x - r * y, over the mean of y
+  for (std::size_t i = 0; i < kX.size(); ++i)
+    parts.add((kX[i] - 1.3125 * kY[i]) / r.under().mean());
+  EXPECT_NEAR(r.error(), parts.error(), 1e-14);
 }
 
 TEST(Fieller, SaysWhenItHasNoBounds) {

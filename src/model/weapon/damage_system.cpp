@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/systems.hpp"
 
+#include <algorithm>
+
 #include "model/events.hpp"
 
 namespace eyrie::model::weapon {
@@ -8,6 +10,14 @@ namespace eyrie::model::weapon {
 namespace {
 
 constexpr std::array kOrders{sim::OrderKind(OrderKind::lose)};
+
+/// Whether somebody has already left in this step.
+bool has_left(std::span<const sim::Event> events, PlayerId who) {
+  return std::ranges::any_of(events, [&](const sim::Event& event) {
+    return event.who == who && (event.kind == EventKind::crash || event.kind == EventKind::home ||
+                                event.kind == EventKind::loss);
+  });
+}
 
 }  // namespace
 
@@ -21,6 +31,8 @@ std::span<const sim::OrderKind> DamageSystem::accepts() const {
 
 void DamageSystem::apply_order(sim::World& world, const sim::StepInfo&, const sim::Order& order,
                                sim::Outbox& out) const {
+  if (has_left(out.events(), order.player))
+    return;
   const auto lose = [&](const MovingTable& moving) {
     if (const auto row = world.row(moving.table, order.player))
       out.emit({.kind = EventKind::loss,
@@ -51,7 +63,7 @@ void DamageSystem::commit(sim::World& world, const sim::StepInfo&,
     damage.damage += static_cast<double>(event.values[0]);
     damage.last_hit_by = event.who;
     ++damage.hits;
-    if (!alive || damage.damage < 1)
+    if (!alive || damage.damage < 1 || has_left(events, event.whom))
       continue;
     context.emit({.kind = EventKind::kill,
                   .detail = event.detail,

@@ -107,6 +107,15 @@ TEST_F(DamageTest, TakesOutWhoCrashedOrIsHomeWithoutAKill) {
   EXPECT_TRUE(world->find(b));
 }
 
+TEST_F(DamageTest, LetsNobodyLeaveTwice) {
+  EXPECT_TRUE(step({hit(a, b, 1), {.kind = EventKind::crash, .who = b}}).empty());
+  EXPECT_FALSE(world->find(b));
+  script.clear();
+  const std::vector orders(3, lose_order(world->step(), c));
+  EXPECT_EQ(simulation->step(*world, *work, orders).size(), 1u);
+  EXPECT_FALSE(world->find(c));
+}
+
 TEST_F(DamageTest, IgnoresHitsOnWhoIsGone) {
   step({hit(a, b, 1)});
   EXPECT_TRUE(step({hit(a, b, 1)}).empty());

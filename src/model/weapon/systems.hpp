@@ -97,8 +97,8 @@ struct MovingTable {
 
 /// commit, in the order of the events: every hit adds its damage; the one that brings it to 1 is
 /// credited with the kill. Nobody leaves before all hits of the step are counted, so two who kill
-/// each other in one step both do. Who crashed, is home or is lost by an order leaves without a
-/// kill; so far nothing but an order takes a player of another table out of the run.
+/// each other in one step both do. Who crashed, is home or is lost by an order leaves once, without
+/// a kill; so far nothing but an order takes a player of another table out of the run.
 class DamageSystem final : public sim::System {
  public:
   explicit DamageSystem(const AircraftColumns& aircraft, std::vector<MovingTable> others = {})
