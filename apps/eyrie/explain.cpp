@@ -84,7 +84,7 @@ int explain(const ExplainOptions& options) {
       debrief::look(recorded, who, wanted, tell, [] { return lost_output() != 0; });
   if (options.json)
     say("{}", Composed{list.end()});
-  if (found.count == 0)
+  if (found.count == 0 && lost_output() == 0)
     refuse("{}{}", wanted.event.empty() ? "" : fmt::format("--event {}: ", quote(options.event)),
            debrief::nothing_text(options.player, wanted, found));
   return 0;
