@@ -36,7 +36,7 @@ def number(name: str, value: Any) -> float:
 
 
 def no_options(options: Any) -> None:
-    """What Gymnasium and PettingZoo hand to reset(): there are none."""
+    """Those that Gymnasium hands to reset(): there are none."""
     if options:
         raise ValueError(f"options: reset() has none, got {', '.join(map(repr, options))}")
 

@@ -161,20 +161,17 @@ class Run:
         if start is not None and end is not None and start > end:
             raise ValueError(f"start: {start} s is after end: {end} s")
         player, event = _name(player), checked_text("event", event)
-        window = {"start": start is not None, "end": end is not None, "changes": bool(changes)}
-        for one, others in (("at", window | {"event": bool(event)}), ("event", window)):
-            for other, given in others.items():
-                if given and {"at": at is not None, "event": bool(event)}[one]:
-                    raise ValueError(f"{one} excludes {other}")
+        given = {"at": at, "event": event or None, "start": start, "end": end, "changes": changes or None}
+        asked = [name for name, value in given.items() if value is not None]
+        if len(asked) > 1 and asked[0] in ("at", "event"):
+            raise ValueError(f"{asked[0]} excludes {asked[1]}")
         if player is None:
-            if at is not None or event or any(window.values()):
+            if asked:
                 raise ValueError("whose decisions? explain() by itself has those on which the run turned")
             text, data = self._core.key_moments()
         else:
-            plain = at is None and not event and not any(window.values())
-            text, data = self._core.explain(
-                player, at, start or 0, 1e9 if end is None else end, bool(changes or plain), event
-            )
+            until = 1e9 if end is None else end
+            text, data = self._core.explain(player, at, start or 0, until, bool(changes or not asked), event)
         return Explanation(text, json.loads(data))
 
     def save(self, folder: str | os.PathLike[str], *, replace: bool = False) -> Path:
