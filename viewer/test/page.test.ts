@@ -282,6 +282,9 @@ describe('what if', { skip: kNoPage }, () => {
     await page.waitForSelector('.future [data-outcome]');
     assert.ok(await page.$('[data-row="leader flown on"]'), 'it is gone');
     await select('eagle2');
+    // it stays where it is while the answer of who is selected is awaited
+    assert.equal(await page.textContent('.future button'), 'fly on from here with it');
+    await answer();
   });
   test('it is stopped while it is flown, and can be flown again', { skip: kNoProgram }, async () => {
     const left = await page.evaluate(async () => {

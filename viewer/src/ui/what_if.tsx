@@ -156,7 +156,7 @@ function FlyOn({ player, is_answered }: { player: Player; is_answered: boolean }
   if (!future && !is_answered) return null;
   return (
     <div class="future" aria-live="polite">
-      {is_answered && <button type="button" onClick={fly}>fly on from here with it</button>}
+      <button type="button" disabled={!is_answered} onClick={fly}>fly on from here with it</button>
       {future && !future.value && !future.problem && <FlyingOn from={future.from} />}
       {future?.problem && <p class="caution">⚠ {future.problem}</p>}
       {future?.value && (
