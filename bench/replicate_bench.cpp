@@ -24,7 +24,7 @@ void replicate_begins(benchmark::State& state) {
 BENCHMARK(replicate_begins)->Unit(benchmark::kMicrosecond);
 
 void sweeps(benchmark::State& state) {
-  constexpr std::uint64_t kSeeds = 24;
+  constexpr std::uint64_t kSeeds = 96;
   const auto workers = static_cast<unsigned>(state.range(0));
   static double alone = 0;  // sweeps/s of one worker
   std::uint64_t flown = 0;
