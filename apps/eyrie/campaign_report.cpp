@@ -166,9 +166,12 @@ Statement prepared(Database& database, const std::string& sql) {
   try {
     return database.prepare(sql);
   } catch (const disk::Refused& refused) {
+    constexpr std::string_view kNoTable = "no such table: ";
     const std::string_view words = refused.what();
+    const std::size_t at = words.find(kNoTable);
+    const std::string_view name = at == words.npos ? "" : words.substr(at + kNoTable.size());
     for (const std::string_view table : {"losses", "decisions"})
-      if (words.find(fmt::format("no such table: {}", table)) != words.npos)
+      if (name.substr(0, name.find_first_of(" ,;")) == table)
         refuse("eyrie: there is no table '{}' yet; --decisions '10 s' adds it", table);
     throw;
   }

@@ -158,6 +158,7 @@ TEST_F(Campaign, AnswersSqlAndIsChangedByNone) {
   EXPECT_EQ(run_program(folder, {"query", "nowhere", "SELECT 1"}).code, 2);
   EXPECT_EQ(asked("SELECT count(*) FROM losses").err,
             "eyrie: there is no table 'losses' yet; --decisions '10 s' adds it\n");
+  EXPECT_EQ(asked("SELECT count(*) FROM lossesx").err.find("--decisions"), std::string::npos);
 }
 
 TEST_F(Campaign, StopsAnAnswerThatNobodyWaitsFor) {
