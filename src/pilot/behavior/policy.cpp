@@ -15,7 +15,10 @@ std::shared_ptr<const PolicyFile> policy_in(const ubf::NodeSpec& spec, ubf::Node
   auto bytes = reader.file(*name);
   if (!bytes)
     return nullptr;
-  auto policy = PolicyFile::read(std::move(*bytes), name->text, reader.diagnostics());
+  Diagnostics wrong;
+  auto policy = PolicyFile::read(std::move(*bytes), name->text, wrong);
+  for (const Diagnostic& one : wrong.sorted())
+    reader.error(name->where, one.text());
   return policy ? std::make_shared<const PolicyFile>(std::move(*policy)) : nullptr;
 }
 

@@ -108,15 +108,15 @@ TEST(Policy, RemembersUntilItLosesControl) {
 }
 
 TEST(Policy, SaysWhatIsWrongWithItsFile) {
-  const std::string node = "policy: {file: a}";
-  EXPECT_EQ(mistakes(node, "none"), "a: no file of tensors (.safetensors), or one that is cut");
+  const std::string node = "policy: {file: a}", at = "test.yaml:1:16: a: ";
+  EXPECT_EQ(mistakes(node, "none"), at + "no file of tensors (.safetensors), or one that is cut");
   EXPECT_EQ(mistakes(node, Safetensors().word("eyrie_policy", "2").bytes()),
-            "a: it is a policy of version '2'; this program reads version 1\n"
-            "a: its metadata has no word 'observation'\n"
-            "a: its metadata has no word 'controls'\n"
-            "a: its metadata has no word 'network'");
+            at + "it is a policy of version '2'; this program reads version 1\n" + at +
+                "its metadata has no word 'observation'\n" + at +
+                "its metadata has no word 'controls'\n" + at +
+                "its metadata has no word 'network'");
   EXPECT_EQ(mistakes(node, constant("turn -1 rad 1 rad", {1, 2})),
-            "a: 2 numbers come out of the network, for 1 controls");
+            at + "2 numbers come out of the network, for 1 controls");
   EXPECT_EQ(mistakes(node, Safetensors()
                                .word("eyrie_policy", "1")
                                .word("observation", "mach linear 0 2\nmack linear 0 2")
@@ -124,8 +124,8 @@ TEST(Policy, SaysWhatIsWrongWithItsFile) {
                                .word("controls_hash", "0x0000000000000001")
                                .word("network", "linear a")
                                .bytes()),
-            "a: observation:2:1: there is no state field 'mack'; did you mean 'mach'?\n"
-            "a: controls_hash is '0x0000000000000001', and the controls that stands there has " +
+            at + "observation:2:1: there is no state field 'mack'; did you mean 'mach'?\n" + at +
+                "controls_hash is '0x0000000000000001', and the controls that stands there has " +
                 hash_text(Controls("release").hash()));
   EXPECT_EQ(mistakes("policy: {}", ""), "test.yaml:1:9: policy needs the parameter 'file'");
   Diagnostics diagnostics;
@@ -199,7 +199,8 @@ TEST(LearnedVote, SaysWhatDoesNotFit) {
       mistakes("policy: {file: a}", votes("sigmoid", {1})),
       "test.yaml:1:16: the network of 'a' votes and commands nothing: it is for learned_vote");
   EXPECT_EQ(mistakes("policy: {file: a}", votes("sigmod", {1})),
-            "a: votes: expected sigmoid, softmax or linear, got 'sigmod'; did you mean 'sigmoid'?");
+            "test.yaml:1:16: a: votes: expected sigmoid, softmax or linear, got 'sigmod'; did you "
+            "mean 'sigmoid'?");
 }
 
 }  // namespace
