@@ -163,11 +163,15 @@ Flown Engine::flown_so_far(bool over) {
   Flown flown{mission.run().time(),
               hash_text(mission.run().world().hash()),
               {},
+              {},
               std::exchange(flight_->lines, {})};
   if (!over)
     return flown;
   mission.run().finish();
   flown.result = debrief::outcome_of(mission, flight_->tally);
+  if (const sim::Fault* fault = mission.run().fault())
+    flown.fault =
+        scenario::fault_text(*fault, mission.scenario().roster, mission.run().simulation().dt());
   for (Line& line : flight_->lines)
     flown.story.push_back(std::move(line));
   record::RunFile run = record::run_file_of(mission.scenario(), flight_->seed, build());

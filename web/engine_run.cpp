@@ -209,10 +209,7 @@ debrief::WhatIf Engine::what_if(const Otherwise& otherwise) {
 }
 
 debrief::Outcome Engine::outcome(const Nothing&) const {
-  const debrief::Recorded& recorded = run();
-  return debrief::Branch(recorded, recorded.scenario, past(recorded.last_step(), true),
-                         recorded.until())
-      .fly();
+  return debrief::outcome_of(run(), past(run().last_step(), true));
 }
 
 debrief::Outcome Engine::branch(const Otherwise& otherwise, std::string& packed) const {
@@ -220,10 +217,14 @@ debrief::Outcome Engine::branch(const Otherwise& otherwise, std::string& packed)
   const auto changed = other(otherwise);
   const debrief::Past before = past(here_->step(), true);
   std::string problem;
-  const auto branch = debrief::branch(recorded, changed, before, {}, problem);
+  const debrief::Outcome flown = outcome({});
+  const bool goes_on =
+      reflown_ && reflown_->trail && flown.outcome == enum_name(scenario::Outcome::running);
+  const auto until = goes_on ? std::nullopt : debrief::limit_of(recorded, flown);
+  const auto branch = debrief::branch(recorded, changed, before, until, problem);
   if (!branch)
     throw BadRequest(problem);
-  const auto packer = page::make_packer(*changed, changed->spec.until);
+  const auto packer = page::make_packer(*changed, until.value_or(changed->spec.until));
   for (const debrief::Happened& happened : before.events)
     packer->remember(branch->after(), happened);
   branch->attach(*packer);

@@ -110,7 +110,36 @@ TEST(WebEngine, EndsAFlightAsARunThatWasStopped) {
   std::string packed;
   EXPECT_EQ(other.page({}, packed).hash, half.hash);
   EXPECT_EQ(record::decode(file_of(engine)).run.outcome, "stopped");
+  EXPECT_EQ(other.outcome().outcome, "stopped");
+  other.seek({.step = 20});
+  EXPECT_EQ(other.branch({.player = "eagle1", .sets = {"root/navigate.vote=30"}}, packed).time, 1.0)
+      << "no farther than what it is compared with";
   EXPECT_THROW(engine.end_flight(), BadRequest);
+}
+
+/// The vote of navigate, times 1000 so many times, and at last times `scale`.
+std::vector<test::Change> multiplied(int times, const std::string& scale) {
+  std::string tree = "navigate: {vote: 1000, speed: 480 kt}";
+  for (int i = 0; i <= times; ++i)
+    tree = "winner_takes_all: {vote_scale: " + (i < times ? "1000" : scale) + ", children: [{" +
+           tree + "}]}";
+  return {{"navigate: {vote: 10, speed: 480 kt}", tree}};
+}
+
+TEST(WebEngine, SaysWhichFaultHasEndedAFlight) {
+  Engine engine;
+  engine.load({.texts = texts_of(test::changed_scenario(multiplied(11, "1000"))), .seed = {}});
+  const Flown ended = engine.fly({});
+  EXPECT_EQ(ended.result.value().outcome, "fault");
+  EXPECT_NE(ended.fault.find("vote is inf"), std::string::npos) << ended.fault;
+  EXPECT_EQ(engine.outcome().outcome, "fault");
+}
+
+TEST(WebEngine, SaysAtWhichFaultOtherTreesWouldEndARun) {
+  Engine engine = flown(multiplied(11, "1"));
+  const debrief::WhatIf answer =
+      engine.what_if({.player = "eagle1", .sets = {"root/winner_takes_all.vote_scale=1000"}});
+  EXPECT_NE(answer.fault.find("vote is inf"), std::string::npos) << answer.fault;
 }
 
 TEST(WebEngine, GoesToAnyStepForthAndBack) {
@@ -242,6 +271,7 @@ TEST(WebEngine, FliesAlongWithOthersAndTheirOrders) {
   EXPECT_THROW(engine.seek({.step = 61}), BadRequest);
   EXPECT_EQ(decision_after(engine, 41, "eagle1")["leader"], "root/navigate");
   EXPECT_EQ(engine.what_if({.player = "eagle1", .sets = {}}).decisions, 12u);
+  EXPECT_EQ(engine.outcome().outcome, "running");
   EXPECT_EQ(engine.branch({.player = "eagle1", .sets = {"root/navigate.vote=30"}}, drawn).time,
             4.0);
   EXPECT_TRUE((others.fly_to(80), to(80, {}, others.hash()).agrees));

@@ -36,7 +36,10 @@ inline constexpr auto described<debrief::WhatIf> = Description{
     Member{"leaders", &debrief::WhatIf::leaders,
            "By decision the node that would have led; 65535: nobody."},
     Member{"spans", &debrief::WhatIf::spans,
-           "s, from the first to the last of other decisions in a row."}};
+           "s, from the first to the last of other decisions in a row."},
+    Member{"until", &debrief::WhatIf::until, "s, when the player was last there."},
+    Member{"fault", &debrief::WhatIf::fault,
+           "Why nothing was asked from there on; empty: it was asked to the end."}};
 template <>
 inline constexpr auto described<record::Tally::OfSide> =
     Description{"Tally",
@@ -134,6 +137,7 @@ struct Flown {
   double time = 0;
   std::string hash;
   std::optional<debrief::Outcome> result;
+  std::string fault;
   std::vector<Line> story;
   static constexpr Description kMessage{
       "Flown",
@@ -141,6 +145,7 @@ struct Flown {
       Member{"time", &Flown::time, "s."},
       Member{"hash", &Flown::hash, "Of the world, as the terminal prints it."},
       Member{"result", &Flown::result, "How it ended, once it is over."},
+      Member{"fault", &Flown::fault, "Why, if a fault has ended it."},
       Member{"story", &Flown::story, "What happened since the last answer."}};
 };
 struct Moment {

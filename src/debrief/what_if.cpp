@@ -297,14 +297,25 @@ std::optional<First> first_otherwise(const Recorded& recorded, const scenario::S
 }
 
 Outcome outcome_of(const Recorded& recorded) {
-  return Branch(recorded, recorded.scenario, past_at(recorded, recorded.last_step()),
-                recorded.until())
-      .fly();
+  return outcome_of(recorded, past_at(recorded, recorded.last_step()));
+}
+
+Outcome outcome_of(const Recorded& recorded, const Past& end) {
+  Outcome flown = Branch(recorded, recorded.scenario, end, recorded.until()).fly();
+  using enum scenario::Outcome;
+  // no side has ended it: what did, the recording alone knows
+  for (const scenario::Outcome other : {running, stopped, fault})
+    if (flown.outcome == enum_name(time) && recorded.run.outcome == enum_name(other))
+      flown.outcome = enum_name(other);
+  return flown;
 }
 
 std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown) {
-  const bool out_of_time = flown.outcome == enum_name(scenario::Outcome::time);
-  return out_of_time ? std::optional(recorded.until()) : std::nullopt;
+  using enum scenario::Outcome;
+  for (const scenario::Outcome of_sides : {blue_home, blue_lost, red_lost, both_lost})
+    if (flown.outcome == enum_name(of_sides))
+      return std::nullopt;
+  return recorded.until();
 }
 
 Branch::Branch(const Recorded& recorded, std::shared_ptr<const scenario::Scenario> other,

@@ -64,8 +64,10 @@ struct Outcome {
                                        const record::Tally& tally);
 /// The run as it was recorded.
 [[nodiscard]] Outcome outcome_of(const Recorded& recorded);
-/// When flights are over that are compared with this run, which ended as `flown` (s): with it if it
-/// ran out of time. One that its sides ended says nothing of the others: as the scenario says.
+/// The same, with its end at hand.
+[[nodiscard]] Outcome outcome_of(const Recorded& recorded, const Past& end);
+/// When flights are over that are compared with this run, which ended as `flown` (s): with it
+/// unless its sides ended it, which says nothing of the others: as the scenario says.
 [[nodiscard]] std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown);
 /// A run flown on from one of its worlds with the trees and models of another scenario.
 class Branch {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/library.hpp"
 
+#include <functional>
+
 #include "core/text.hpp"
 #include "sim/system.hpp"
 
@@ -11,7 +13,7 @@ std::vector<LibraryProblem> problems_of(const Library& library, double dt) {
   const auto look = [&](std::string_view kind, const auto& shelf, std::string_view parameter,
                         auto rate) {
     for (std::size_t i = 0; i < shelf.size(); ++i)
-      if (const sim::Period period = sim::period_steps(shelf[i].*rate, dt); !period)
+      if (const sim::Period period = sim::period_steps(std::invoke(rate, shelf[i]), dt); !period)
         problems.push_back({kind, shelf.name(i), parameter, period.error});
   };
   look("radars", library.radars, "scan_rate", &Radar::scan_rate);
@@ -22,6 +24,8 @@ std::vector<LibraryProblem> problems_of(const Library& library, double dt) {
   look("visual", library.visuals, "rate", &Visual::rate);
   look("trackers", library.trackers, "rate", &Tracker::rate);
   look("datalinks", library.datalinks, "rate", &Datalink::rate);
+  look("missiles", library.missiles, "seeker.look_rate",
+       [](const MissileType& type) { return type.seeker.look_rate; });
   for (std::size_t i = 0; i < library.aircraft.size(); ++i)
     if (const sim::Period usual = sim::period_steps(Tracker{}.rate, dt);
         !usual && !library.aircraft[i].index.tracker)

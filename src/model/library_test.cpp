@@ -64,15 +64,20 @@ TEST(ProblemsOf, NamesEachModelWhoseRateDoesNotDivideTheStepOrThatDoesNothing) {
   library.jammers.add("noise", {.power = 1});
   library.jammers.add("deceiver", {.pull_off = PullOff{}});
   library.jammers.add("dead", {});
+  MissileType blinking;
+  blinking.seeker.look_rate = 60;
+  library.missiles.add("blinking", blinking);
   const auto problems = problems_of(library, 0.02);
-  ASSERT_EQ(problems.size(), 3u);
+  ASSERT_EQ(problems.size(), 4u);
   EXPECT_EQ(problems[0].kind, "radars");
   EXPECT_EQ(problems[0].model, "odd");
   EXPECT_EQ(problems[0].parameter, "track_rate");
   EXPECT_NE(problems[0].problem.find("7 Hz"), std::string::npos) << problems[0].problem;
-  EXPECT_EQ(problems[1].model, "slow");
-  EXPECT_EQ(problems[1].parameter, "delay");
-  EXPECT_EQ(problems[2].model, "dead");
+  EXPECT_EQ(problems[1].model, "blinking");
+  EXPECT_EQ(problems[1].parameter, "seeker.look_rate");
+  EXPECT_EQ(problems[2].model, "slow");
+  EXPECT_EQ(problems[2].parameter, "delay");
+  EXPECT_EQ(problems[3].model, "dead");
 }
 
 TEST(ProblemsOf, NamesEachTypeWhoseNumberOtherSimulationsCannotRead) {

@@ -47,7 +47,8 @@ class Platform {
       blank_.push_back(team::unanswered(tree));
   }
 
-  /// Keeps a decision; `see` is called when what the agent saw is to be kept too.
+  /// Keeps a decision; `see` is called with what the agent saw, and whether it is time to keep
+  /// that.
   template <class See>
   void decide(const team::Moment<State>& m, Agent& agent, const Periods& periods, See see) {
     const std::uint16_t tree = m.state.agent.tree;
@@ -55,8 +56,7 @@ class Platform {
     const bool changed =
         agent.decisions.add(m.info.step, first_ + tree, blank_[tree], out.leader, trace_,
                             {periods.decisions / m.info.dt, periods.other_decisions / m.info.dt});
-    if (changed || m.info.time() - agent.sights.last_time() > periods.sights - 1e-6)
-      see(m.state);
+    see(m.state, changed || m.info.time() - agent.sights.last_time() > periods.sights - 1e-6);
   }
 
   /// As the page draws them; `platform` is "aircraft" or "vehicle".
@@ -168,14 +168,20 @@ class Writer final : public Packer {
       if (scenario_.fleet_of(who).agents == driver_system_)
         driver_system_->revisit(
             before, after, who, orders, [&](const team::Moment<driver::State>& m) {
-              drivers_.decide(m, agent, periods_,
-                              [&](const driver::State& s) { agent.sights.add(s); });
+              drivers_.decide(m, agent, periods_, [&](const driver::State& s, bool is_time) {
+                if (is_time)
+                  agent.sights.add(s);
+              });
             });
       else
         pilot_system_->revisit(
             before, after, who, orders, [&](const team::Moment<pilot::State>& m) {
-              pilots_.decide(m, agent, periods_,
-                             [&](const pilot::State& s) { agent.sights.add(s, after, who); });
+              pilots_.decide(m, agent, periods_, [&](const pilot::State& s, bool is_time) {
+                // a decision that is kept names tracks as they are then
+                const bool keeps_all = periods_.decisions == 0;
+                if (is_time || (keeps_all && agent.sights.names_others(s)))
+                  agent.sights.add(s, after, who);
+              });
             });
     }
   }

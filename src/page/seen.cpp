@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "page/seen.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/angle.hpp"
@@ -73,9 +74,12 @@ void Sights::add_zone(const pilot::State& s) {
 
 void Sights::add(const pilot::State& s, const sim::World& world, PlayerId who) {
   add_state(s);
-  for (const pilot::Seen& seen : s.tracks_seen())
+  named_.clear();
+  for (const pilot::Seen& seen : s.tracks_seen()) {
+    named_.emplace_back(seen.id(), seen.track->truth);
     add_track(seen.id().value, seen.track->truth, seen.track->identity, s.target() == &seen,
               position_at(*seen.track, s.time), s.time - seen.track->time);
+  }
   for (std::uint32_t i = 0; i < s.rwr.count; ++i) {
     const model::RwrWarning& warning = s.rwr.warnings[i];
     add_warning(world, "radar " + std::string(enum_name(warning.kind)), warning.bearing,
@@ -93,6 +97,12 @@ void Sights::add(const pilot::State& s, const sim::World& world, PlayerId who) {
       row ? world.rows(scenario_.aircraft.radar)[*row] : model::RadarState{};
   scan_.add({static_cast<double>(scan.mode), scan.scan_azimuth, scan.scan_elevation});
   add_zone(s);
+}
+
+bool Sights::names_others(const pilot::State& s) const {
+  return !std::ranges::equal(s.tracks_seen(), named_, [](const pilot::Seen& seen, const auto& was) {
+    return seen.id() == was.first && seen.track->truth == was.second;
+  });
 }
 
 void Sights::add(const driver::State& s) {

@@ -27,6 +27,8 @@ class Sights {
   /// `world` is the one after the step in which `who` had that state.
   void add(const pilot::State& state, const sim::World& world, PlayerId who);
   void add(const driver::State& state);
+  /// Whether its tracks are others, or of others, than those of the last one.
+  [[nodiscard]] bool names_others(const pilot::State& state) const;
   /// s, of the last one; before the run if there is none.
   [[nodiscard]] double last_time() const { return last_time_; }
   [[nodiscard]] Json json(ColumnBytes& bytes) const;
@@ -45,6 +47,7 @@ class Sights {
   const scenario::Scenario& scenario_;
   TextBook& texts_;
   double last_time_ = -1e9;
+  std::vector<std::pair<TrackId, PlayerId>> named_;  ///< the last tracks, and whose they are
   Column t_{1e-3};
   std::vector<Column> state_;
   // of tracks and warnings, how many there were each time, and all of them

@@ -75,7 +75,8 @@ std::string table_text(const ParamInfo& table) {
   std::string text;
   for (const TableAxis& axis : table.axes)
     text += (text.empty() ? "" : " and ") + std::string(axis.name);
-  return fmt::format("table of {}s over {}", dimension_word(table.unit.dimension), text);
+  const std::string_view what = dimension_word(table.unit.dimension);
+  return fmt::format("table of {}{} over {}", what, what.ends_with('s') ? "es" : "s", text);
 }
 
 /// As a file may write it: what it needs, and a few of its parameters as they are if nothing is

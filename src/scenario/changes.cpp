@@ -103,6 +103,8 @@ class Changer {
     place.column += static_cast<int>(side.size());
     const std::size_t before = diagnostics_.count();
     const auto keys = path_keys(change.path, place, diagnostics_);
+    if (keys && is_done_before_sets(keys->front().text))
+      return error(place, "'{}' is carried out before anything is changed", keys->front().text);
     if (keys && resolve(*keys, change))
       finish(std::move(change), side, keys->back());
     sound_ &= diagnostics_.count() == before;

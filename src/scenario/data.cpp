@@ -46,11 +46,17 @@ std::string_view model_in(const Value& document) {
 Location place_in_data(const Value& document, std::string_view kind, std::string_view model,
                        std::string_view parameter) {
   const Value* found = document.find("data");
-  for (const std::string_view key : {kind, model, parameter}) {
-    const Value* next = found ? found->find(key) : nullptr;
-    if (!next && key != parameter)
-      return document.where_of("rates");
-    found = next ? next : found;
+  for (const std::string_view key : {kind, model})
+    found = found ? found->find(key) : nullptr;
+  if (!found)
+    return document.where_of("rates");
+  for (std::size_t begin = 0; begin < parameter.size();) {  // of a part, behind its point
+    const std::size_t end = std::min(parameter.find('.', begin), parameter.size());
+    const Value* next = found->find(parameter.substr(begin, end - begin));
+    if (!next)
+      break;
+    found = next;
+    begin = end + 1;
   }
   return found->where;
 }
@@ -192,47 +198,53 @@ std::optional<std::uint16_t> DataLoader::load(const std::string& name, const Loc
   const auto map = document(kKind.folder, name, where, chain);
   Model model;
   static constexpr std::array<std::string_view, 2> kAlso{"base", "source"};
-  if (map && bind(model, *map, diagnostics_, kAlso))
-    complete(model, *map);
-  failed = !map || diagnostics_.count() != before;
+  const bool whole = map && bind(model, *map, diagnostics_, kAlso) && complete(model, *map);
+  failed = !whole || diagnostics_.count() != before;
   if (failed)
     return std::nullopt;
   return (library_.*kKind.shelf).add(name, std::move(model));
 }
 
 template <Described Model>
-void DataLoader::part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
+bool DataLoader::part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
                       const Location& where) {
   if (name)
     index = load<Model>(*name, where);
+  return !name || index;
 }
 
 template <Described Model>
-void DataLoader::complete(Model& model, const Value& document) {
-  if constexpr (std::same_as<Model, model::AircraftType>)
-    if (const auto frame = load<model::Airframe>(model.airframe, document.where_of("airframe")))
-      model.index.airframe = *frame;
+bool DataLoader::complete(Model& model, const Value& document) {
+  bool whole = true;
+  if constexpr (std::same_as<Model, model::AircraftType>) {
+    const auto frame = load<model::Airframe>(model.airframe, document.where_of("airframe"));
+    whole = frame.has_value();
+    model.index.airframe = frame.value_or(0);
+  }
   if constexpr (requires { model.index.radar; }) {
-    part<model::Radar>(model.index.radar, model.radar, document.where_of("radar"));
-    part<model::Irst>(model.index.irst, model.irst, document.where_of("irst"));
-    part<model::Rwr>(model.index.rwr, model.rwr, document.where_of("rwr"));
-    part<model::Iff>(model.index.iff, model.iff, document.where_of("iff"));
-    part<model::Tracker>(model.index.tracker, model.tracker, document.where_of("tracker"));
-    part<model::GunType>(model.index.gun, model.gun, document.where_of("gun"));
-    part<model::Dispenser>(model.index.dispenser, model.dispenser, document.where_of("dispenser"));
-    part<model::Jammer>(model.index.jammer, model.jammer, document.where_of("jammer"));
+    whole &= part<model::Radar>(model.index.radar, model.radar, document.where_of("radar"));
+    whole &= part<model::Irst>(model.index.irst, model.irst, document.where_of("irst"));
+    whole &= part<model::Rwr>(model.index.rwr, model.rwr, document.where_of("rwr"));
+    whole &= part<model::Iff>(model.index.iff, model.iff, document.where_of("iff"));
+    whole &= part<model::Tracker>(model.index.tracker, model.tracker, document.where_of("tracker"));
+    whole &= part<model::GunType>(model.index.gun, model.gun, document.where_of("gun"));
+    whole &= part<model::Dispenser>(model.index.dispenser, model.dispenser,
+                                    document.where_of("dispenser"));
+    whole &= part<model::Jammer>(model.index.jammer, model.jammer, document.where_of("jammer"));
     if (model.rounds && !model.gun)
       diagnostics_.error(document.where_of("rounds"), "rounds: there is no gun for them");
     for (const model::StationFit& station : model.stations)
-      load<model::MissileType>(station.store, document.where_of("stations"));
+      whole &= load<model::MissileType>(station.store, document.where_of("stations")).has_value();
   }
   if constexpr (requires { model.index.visual; }) {
-    part<model::Visual>(model.index.visual, model.visual, document.where_of("visual"));
-    part<model::Datalink>(model.index.datalink, model.datalink, document.where_of("datalink"));
+    whole &= part<model::Visual>(model.index.visual, model.visual, document.where_of("visual"));
+    whole &=
+        part<model::Datalink>(model.index.datalink, model.datalink, document.where_of("datalink"));
   }
   if constexpr (requires { model.prepare(); })
     if (!only_checks_)
       model.prepare();
+  return whole;
 }
 
 std::optional<std::uint16_t> DataLoader::aircraft(const std::string& name, const Location& where) {

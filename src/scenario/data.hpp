@@ -77,9 +77,9 @@ class DataLoader {
   std::optional<std::uint16_t> load(const std::string& name, const Location& where);
   /// What a model is put together from, looked up in its document, and what is made of it.
   template <Described Model>
-  void complete(Model& model, const Value& document);
+  bool complete(Model& model, const Value& document);
   template <Described Model>
-  void part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
+  bool part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
             const Location& where);
   void check_inline(const Value::Entry& kind);
   void load_any(std::string_view kind, const std::string& name, const Location& where);

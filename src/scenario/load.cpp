@@ -238,6 +238,7 @@ class Loader {
     Vec3 offset;
     if (!player.own_place && player.rank > 1) {
       offset = pilot::formation_offset(out_->formations.back(), player.rank);
+      offset.z = player.own_altitude ? 0 : offset.z;
       begin.position = beside(library_->reference, lead, *s.heading, offset);
     }
     const PlayerId id{static_cast<std::uint32_t>(starts_.size() + 1)};
@@ -365,10 +366,11 @@ class Loader {
                          kind, model, parameter, problem);
     stop_if_wrong();
     const std::string problem = assemble(*out_, starts_, vehicle_starts_, kinds_);
-    if (!problem.empty()) {
+    if (!problem.empty())
       diagnostics_.error(document_.where_of("rates"), problem);
-      stop_if_wrong();
-    }
+    else if (const auto over = start_problem(*out_))
+      diagnostics_.error(document_.where_of("ends"), *over);
+    stop_if_wrong();
     out_->files = source_.files();
     plugins_.tell(*out_);
   }

@@ -56,6 +56,14 @@ Judge::Judge(const Scenario& scenario, double until)
       last_step_(step_at(until, scenario)),
       standings_(scenario.library->flights.size()) {}
 
+std::optional<std::string> start_problem(const Scenario& scenario) {
+  const Outcome outcome = Judge(scenario, scenario.spec.until)(*scenario.start, false);
+  if (outcome == Outcome::running)
+    return std::nullopt;
+  return fmt::format("ends: {} holds at the start already ({}): nothing would be flown",
+                     enum_name(scenario.spec.ends), enum_name(outcome));
+}
+
 bool Judge::comes_home(std::span<const sim::Event> events) const {
   return std::ranges::any_of(events, [&](const sim::Event& e) {
     if (e.kind != sim::EventKind(model::EventKind::home))

@@ -28,6 +28,9 @@ constexpr auto names_of(Outcome) {
 /// Why a flight cannot end at `until` (s), in words: before its first step is over, or later than
 /// any. Nothing if it can.
 [[nodiscard]] std::optional<std::string> until_problem(const ScenarioSpec& spec, double until);
+/// Why nothing would be flown of a scenario that is whole, in words: what ends it holds at its
+/// start. Nothing if something would.
+[[nodiscard]] std::optional<std::string> start_problem(const Scenario& scenario);
 
 /// Of one run: nobody has left and nobody was born while it stays the same.
 struct Census {

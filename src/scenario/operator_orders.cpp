@@ -190,7 +190,10 @@ class OrderReader {
                               .more = asked_.more ? 1U : 0U});
     else if (asked_.order == "route")
       order(who, OrderKind::point, model::PointToFly{.more = 2});
-    else if (const auto node = fleet.trees[*tree]->find(*asked_.node))
+    else if (const auto node = fleet.trees[*tree]->find(*asked_.node);
+             node && !fleet.trees[*tree]->node(*node).takes_vote())
+      refuse("{} does not vote", *asked_.node);
+    else if (node)
       order(who, OrderKind::vote,
             model::VoteChange{.vote = static_cast<float>(asked_.vote.value_or(-1)),
                               .number = static_cast<std::uint16_t>(*node + 1),

@@ -36,6 +36,8 @@ class Override {
 
   void apply(Value& document) {
     const std::size_t equals = path_size(text_);
+    if (equals == text_.size() && std::ranges::count(text_, '"') % 2)
+      return error(text_.rfind('"'), "a quote without an end");
     if (equals == text_.size() || equals == 0)
       return error(0, "expected path=value");
     const std::string_view after = std::string_view(text_).substr(equals + 1);
@@ -56,8 +58,11 @@ class Override {
     const std::string& first_key = keys->front().text;
     if (keys->size() > 1 &&
         did_you_mean(first_key, listed(document.entries, &Value::Entry::key)).empty())
-      return error(0, "there is no {0} here; what is new is set whole, as in {1}={{{2}: ...}}",
-                   quote(first_key), first_key, (*keys)[1].text);
+      return error(0, "there is no {} here; what is new is set whole, as in {}={}",
+                   quote(first_key), first_key,
+                   number_from<std::size_t>((*keys)[1].text)
+                       ? "[...]"
+                       : fmt::format("{{{}: ...}}", (*keys)[1].text));
     Value* at = &document;
     for (std::size_t i = 0; at && i + 1 < keys->size(); ++i)
       at = step(*at, (*keys)[i], diagnostics_);

@@ -199,9 +199,11 @@ class Reader {
     if (overrides && !item.entries[0].value.is_null()) {
       const Value& map = item.entries[0].value;
       plan.own = &map;
-      if (const Value* start = map.find("start"); start && start->is_map())
+      if (const Value* start = map.find("start"); start && start->is_map()) {
+        plan.own_altitude = start->find("altitude");
         for (const std::string_view key : {"north", "east", "latitude", "longitude"})
           plan.own_place = plan.own_place || start->find(key);
+      }
       if (plan.own_place)  // a place of its own replaces the flight's as a whole
         static_cast<PlaceSpec&>(plan.spec.start) = {};
       plan.sound = bind(plan.spec, map, diagnostics_) && plan.sound;

@@ -17,6 +17,7 @@ struct MemberPlan {
   std::uint16_t rank = 1;  ///< from the name
   Location where;
   Spec spec;
+  bool own_altitude = false;   ///< its start has an altitude of its own
   bool own_place = false;      ///< it has a start place of its own instead of one in the formation
   bool sound = true;           ///< everything said of it and of its group could be read
   const Value* own = nullptr;  ///< its overrides in the document, if it has any

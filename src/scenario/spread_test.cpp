@@ -37,6 +37,15 @@ std::string mistake(const std::string& flight, const std::string& altitude = "50
   return "";
 }
 
+TEST(Start, OfAWingmanIsAtTheAltitudeThatIsSaidOfHim) {
+  const auto with = pair("", "start: {altitude: 3000 m}"), without = pair("");
+  const auto own = with->world(1), level = without->world(1);
+  EXPECT_NEAR(motion(*with, own, 1).altitude, 3000, 1e-6);
+  EXPECT_NEAR(motion(*without, level, 1).altitude, 4900, 1e-6);
+  EXPECT_NEAR(motion(*with, own, 1).position.x, motion(*without, level, 1).position.x, 0.1);
+  EXPECT_NEAR(motion(*with, own, 1).position.y, motion(*without, level, 1).position.y, 0.5);
+}
+
 TEST(Spread, MovesAStartEvenlyWithinWhatItSays) {
   const auto s =
       pair("      spread: {position: 2 km, altitude: 1000 m, heading: 30 deg, speed: 20 m/s}\n");

@@ -85,6 +85,10 @@ class AnyNode {
   [[nodiscard]] std::string_view label() const noexcept { return label_.empty() ? type() : label_; }
   /// The name under which the type is registered.
   [[nodiscard]] std::string_view type() const noexcept { return type_->name; }
+  /// Whether a file may give it a vote: not to conditions, which propose nothing.
+  [[nodiscard]] bool takes_vote() const {
+    return type_->parameters && type_->parameters->find("vote");
+  }
   [[nodiscard]] Kind node_kind() const noexcept { return type_->kind; }
   /// Its parameters that have a value.
   [[nodiscard]] std::vector<ParamValue> values() const;

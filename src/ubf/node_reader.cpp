@@ -350,10 +350,14 @@ void NodeReader::read_slots(AnyNode& node, const NodeSpec& spec) {
   const std::span<const std::string_view> slots = node.type_->child_keys;
   const Value& body = *spec.body;
   if (body.is_list() || body.find("children")) {
-    diagnostics_.error(
-        spec.where,
-        "{} takes exactly one '{}'; put several nodes under an arbiter or a control node",
-        spec.type, slots.back());
+    if (slots.size() == 1)
+      diagnostics_.error(
+          spec.where,
+          "{} takes exactly one '{}'; put several nodes under an arbiter or a control node",
+          spec.type, slots.back());
+    else
+      diagnostics_.error(spec.where, "{0} takes its children by name: {0}: {{{1}: ...}}", spec.type,
+                         fmt::join(slots, ": ..., "));
     return;
   }
   if (is_child_alone(*node.type_, body)) {

@@ -94,6 +94,8 @@ TEST(RegistryErrors, ADecoratorTakesExactlyOneChild) {
   EXPECT_EQ(mistakes("{timeout: {after: 1 s, children: [{check: {cue: 1}}]}}"),
             "test.yaml:1:2: timeout takes exactly one 'child'; put several nodes under an arbiter "
             "or a control node");
+  EXPECT_EQ(mistakes("{suppress: [probe, probe]}"),
+            "test.yaml:1:2: suppress takes its children by name: suppress: {by: ..., child: ...}");
   EXPECT_EQ(mistakes("{cooldown: {check: {cue: 1}}}"),
             "test.yaml:1:2: cooldown needs the parameter 'duration'");
   EXPECT_EQ(mistakes("{inverter: {chek: {cue: 1}}}"),

@@ -140,9 +140,14 @@ TEST(WhatIf, EndsWithARunThatRanOutOfTimeAndElseAsTheScenarioSays) {
   EXPECT_EQ(home.outcome, ended.outcome);
   EXPECT_EQ(home.blue.home, ended.blue.home);
   EXPECT_GT(home.time, ended.time);
-  const Recorded cut = recorded_flight("sweep_phases", 500, 13);
+  Recorded cut = recorded_flight("sweep_phases", 500, 13);
   EXPECT_EQ(outcome_of(cut).outcome, "time");
   EXPECT_EQ(limit_of(cut, outcome_of(cut)), 500);
+  cut.run.outcome = "stopped";
+  EXPECT_EQ(outcome_of(cut).outcome, "stopped");
+  EXPECT_EQ(limit_of(cut, outcome_of(cut)), 500);
+  cut.run.outcome = "blue_home";
+  EXPECT_EQ(outcome_of(cut).outcome, "time") << "that none of its sides has ended it is seen";
 }
 
 TEST(RunDifference, IsNothingForTheSameRun) {

@@ -106,6 +106,10 @@ INSTANTIATE_TEST_SUITE_P(
                 {{"ends: time", "ends: tim"}},
                 "x.yaml:5:7: ends: expected one of blue_home, last_side, time, got 'tim'; did you "
                 "mean 'time'?\n"},
+        Mistake{"OverBeforeItsFirstStep",
+                {{"ends: time", "ends: last_side"}},
+                "x.yaml:5:7: ends: last_side holds at the start already (red_lost): nothing would "
+                "be flown\n"},
         Mistake{"MissingInclude",
                 {{"name: small", "name: small\ninclude: pilots.yaml"}},
                 "x.yaml:3:10: cannot read 'pilots.yaml'\n"},
@@ -163,6 +167,18 @@ INSTANTIATE_TEST_SUITE_P(
             {{"name: small", "name: small\ndata: {aircraft: {mine: {base: f15c, radar: apg36}}}"},
              {"aircraft: f15c", "aircraft: mine"}},
             "x.yaml:3:45: unknown radar 'apg36'; did you mean 'apg63'?\n"},
+        Mistake{"AirframeThatIsWrongAndFlown",
+                {{"name: small",
+                  "name: small\ndata: {airframes: {own: {base: f15cc}}, aircraft: {mine: {base: "
+                  "f15c, airframe: own}}}"},
+                 {"aircraft: f15c", "aircraft: mine"}},
+                "x.yaml:3:32: unknown airframe 'f15cc'; did you mean 'f15c'?\n"},
+        Mistake{
+            "SeekerThatLooksFasterThanTheStep",
+            {{"name: small",
+              "name: small\ndata: {missiles: {own: {base: aim9, seeker: {look_rate: 60 Hz}}}}"}},
+            "x.yaml:3:57: data.missiles.own.seeker.look_rate: 60 Hz is faster than the step, "
+            "which runs at 50 Hz\n"},
         Mistake{"TooMuchFuel",
                 {{"tree: cruise", "tree: cruise\n      fuel: 20000 kg"}},
                 "x.yaml:17:13: fuel 20000 kg is more than a f15c holds (5952 kg)\n"},

@@ -137,7 +137,7 @@ export function VoteOrder({ live, player, tree, node, vote }: { live: Live; play
   };
   return (
     <form class="vote-order" onSubmit={order}>
-      <label>vote from now on <input type="text" inputMode="decimal" size={4} value={text} placeholder={String(vote)} aria-label={`Vote of ${node} from now on`}
+      <label>vote from now on <input type="text" inputMode="decimal" size={4} value={text} placeholder={number_text(vote)} aria-label={`Vote of ${node} from now on`}
         onInput={(event) => write(event.currentTarget.value)} /></label>
       <button type="submit" disabled={live.is_over() || text.trim() === ''}>order</button>
       {problem && <span class="bad small" role="alert">{problem}</span>}

@@ -18,6 +18,7 @@ export interface Flight {
   took: number;  // ms of the clock that flying took, without loading.
   story: Line[];
   outcome?: Outcome;  // When it is over.
+  fault: string;  // Why, if a fault has ended it.
   hash: string;
   file?: Uint8Array;
 }
@@ -40,7 +41,7 @@ export class Flier {
     const about = await engine.load({ texts: { files: texts_of(project), scenario }, ...(seed && { seed }) });
     let flight: Flight = {
       number: this.count + 1, project, is_edited: is_edited(project), name: about.scenario || name_of(scenario), seed: about.seed, players: about.players,
-      time: 0, until: about.until ?? 0, took: 0, story: [], hash: '',
+      time: 0, until: about.until ?? 0, took: 0, story: [], hash: '', fault: '',
     };
     const began = performance.now();
     [this.flies, this.is_to_end] = [true, false];
@@ -49,7 +50,7 @@ export class Flier {
         told(flight);
         const flown: Flown = await (this.is_to_end ? engine.end_flight() : engine.fly({ until }));
         flight = {
-          ...flight, time: flown.time ?? 0, took: performance.now() - began, hash: flown.hash, story: [...flight.story, ...flown.story],
+          ...flight, time: flown.time ?? 0, took: performance.now() - began, hash: flown.hash, fault: flown.fault, story: [...flight.story, ...flown.story],
           ...(flown.result && { outcome: flown.result }),
         };
       }

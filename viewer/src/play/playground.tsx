@@ -150,7 +150,8 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         put_no_seed('');
         put_fits(true);
         drop(null);
-        put_file(Object.keys(linked.edits)[0] ?? linked.scenario);
+        const tabs = with_includes(linked, linked.scenario);
+        put_file(Object.keys(linked.edits).find((one) => tabs.includes(one) || one.startsWith('data/')) ?? linked.scenario);
         count(undefined);
       }
       put_note('');
@@ -258,6 +259,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   useEffect(() => editor.current!.show(file, text_of(project, file)), [file, version]);
   useEffect(() => editor.current!.mark(said.problems.filter((one) => one.file === file)), [said.problems, file]);
   useEffect(() => put_theme(theme), [theme]);
+  useEffect(() => put_note(''), [project]);  // it was of what has been changed since
   useEffect(() => {
     if (!restored || address.holds(project)) return;
     // at once if it may be: somebody may leave at once
@@ -304,7 +306,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         {is_edited
           ? <button type="button" onClick={() => put_edits({}, project.edits)}>as shipped</button>
           : dropped && <button type="button" onClick={() => put_edits(dropped, null)}>my changes again</button>}
-        <button type="button" onClick={() => void share()}>Share</button>
+        <button type="button" disabled={no_seed !== ''} title={why_no_seed || undefined} onClick={() => void share()}>Share</button>
         <IconButton icon={theme === 'dark' ? 'sun' : 'moon'} label={theme === 'dark' ? 'Light' : 'Dark'} onClick={flip_theme} />
       </header>
       <main class="text">

@@ -51,7 +51,7 @@ function StoryLines({ flight }: { flight: Flight }) {
 }
 
 function Last({ flight, before, busy, onDebrief }: { flight: Flight; before: Flight | undefined; busy: boolean; onDebrief: (runs: Flight[]) => void }) {
-  const { outcome, hash, took, time } = flight;
+  const { outcome, hash, took, time, fault } = flight;
   return (
     <section class="last" aria-label="Outcome" data-hash={outcome ? hash : ''} data-outcome={outcome?.outcome ?? ''}>
       <h2>{flight.name}, seed {flight.seed} <span class="dim">flight {flight.number}</span></h2>
@@ -60,6 +60,7 @@ function Last({ flight, before, busy, onDebrief }: { flight: Flight; before: Fli
         <>
           <p><b>{outcome_text(outcome.outcome)}</b> at {clock_text(outcome.time ?? 0)}{' '}
             <span class="dim">{count_text(Math.round(time / Math.max(took / 1000, 1e-3) / 10) * 10)} times real time</span></p>
+          {fault && <p class="caution">⚠ {fault}</p>}
           <Tally outcome={outcome} />
           <p class="small"><span class="dim">world hash</span> <code title="What ./eyrie fly prints for this text and seed">{hash}</code></p>
           <p class="does">

@@ -120,6 +120,7 @@ export function NodeDetails(looked: Looked) {
   const page = use_page();
   const { tree, shape, node } = looked;
   const { label, path, type, kind, params, remembers } = tree.nodes[node]!;
+  const votes = use_node_types(tree.kind).find(({ name }) => name === type)?.parameters.some(({ name }) => name === 'vote');
   const told = Object.entries(params).map(([name, value]) => `${name} ${reworded(value)}`).join(', ');
   return (
     <section class="details" aria-label={`Node ${label}`} data-node={path}>
@@ -130,7 +131,7 @@ export function NodeDetails(looked: Looked) {
       <p class="answer">{answer_words(shape, node)}</p>
       <p class="dim small">{kind} {type}{told && `, ${told}`}{remembers ? ', remembers' : ''}</p>
       <Proposed {...looked} />
-      {page.live && <VoteOrder live={page.live} player={looked.player.name} tree={tree.name} node={path} vote={shape.vote[node]!} />}
+      {page.live && votes && <VoteOrder live={page.live} player={looked.player.name} tree={tree.name} node={path} vote={shape.vote[node]!} />}
       {page.run.engine && <Ask key={`${shape.tree}/${node}`} {...looked} />}
     </section>
   );

@@ -77,12 +77,14 @@ function First({ first }: { first: FirstOther }) {
 
 function Verdict({ player, answer, is_old }: { player: Player; answer: Answer; is_old: boolean }) {
   const share = (answer.different / Math.max(answer.decisions, 1)) * 100;
+  const up_to = use_page().live && ` up to ${clock_text(answer.until ?? 0)}`;
   return (
     <div class={is_old ? 'old' : ''} aria-hidden={is_old}>
       <p class="verdict">
-        <b>{count_text(answer.different)}</b> of {count_text(answer.decisions)} decisions of {player.name} would have been others.
+        <b>{count_text(answer.different)}</b> of {count_text(answer.decisions)} decisions of {player.name}{up_to} would have been others.
       </p>
       <div class="share" aria-hidden="true"><i style={{ width: `${share}%` }} /></div>
+      {answer.fault && <p class="caution">⚠ With this change a run ends there, so nothing was asked after it: {answer.fault}</p>}
       {answer.first && <First first={answer.first} />}
     </div>
   );
@@ -90,7 +92,8 @@ function Verdict({ player, answer, is_old }: { player: Player; answer: Answer; i
 
 function tally(of: Outcome): string {
   const side = (name: 'blue' | 'red'): string => `${name} lost ${of[name].losses}, shot ${of[name].shots}`;
-  return `${outcome_text(of.outcome)} at ${clock_text(of.time ?? 0)}; ${side('blue')}; ${side('red')}`;
+  const how = of.outcome === 'running' ? 'not over' : outcome_text(of.outcome);
+  return `${how} at ${clock_text(of.time ?? 0)}; ${side('blue')}; ${side('red')}`;
 }
 
 function show(page: Page, other: Other | null): void {

@@ -117,7 +117,9 @@ export function use_question(): { key: string; name: string; sets: string[] } | 
   const index = use_view(page.store, (v) => v.selected);
   const { name } = page.run.players[index]!;
   const sets = sets_of(page.run, index, changes);
-  return page.run.engine && sets.length ? { key: JSON.stringify([name, sets]), name, sets } : null;
+  // what is flown meanwhile is asked about once it is over
+  const stage = page.live ? page.live.is_over() : true;
+  return page.run.engine && sets.length ? { key: JSON.stringify([name, sets, stage]), name, sets } : null;
 }
 
 /** The answer, and whether it is an old one: of the question before, until this one is answered. */
