@@ -246,8 +246,11 @@ std::string manual(const CLI::App& app) {
 std::string completion_script(std::string_view shell) {
   if (shell == "bash")
     return R"sh(_eyrie() {
-  local IFS=$'\n'
-  COMPREPLY=($("$1" completion --for "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null))
+  local one
+  COMPREPLY=()
+  while IFS= read -r one; do
+    COMPREPLY+=("$(printf %q "$one")")
+  done < <("$1" completion --for "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
 }
 complete -o default -F _eyrie eyrie ./eyrie
 )sh";

@@ -270,7 +270,7 @@ TEST(Overrides, ReachANameWithADotInQuotes) {
   paths_below(*document.find("trees"), "trees", paths);
   EXPECT_EQ(paths.at("a:1:9"), "trees.\"a.b\"");
   EXPECT_EQ(paths.at("a:1:27"), "trees.\"a.b\".priority.\"x=1.y\"");
-  EXPECT_EQ(with({"\"seed=7"}).mistakes, "--set \"seed=7:1:1: expected path=value");
+  EXPECT_EQ(with({"\"seed=7"}).mistakes, "--set \"seed=7:1:1: a quote without an end");
 }
 
 TEST(Overrides, GiveArgumentsToTheTreeThatAnItemRefersTo) {

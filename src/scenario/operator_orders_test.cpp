@@ -127,9 +127,10 @@ TEST_F(OperatorOrder, SaysWhatIsWrong) {
             "there is no node 'root/x' in tree veteran");
   const ubf::AnyTree& tree = *scenario_->fleet_of(*scenario_->roster.find("eagle1")).trees[0];
   for (ubf::NodeIndex node = 0; node < tree.size(); ++node)
-    EXPECT_EQ(problem(fmt::format(
-                  R"({{"order":"vote","player":"eagle1","tree":"{}","node":"{}","vote":1}})",
-                  tree.name(), tree.path(node))),
+    EXPECT_EQ(orders(fmt::format(
+                         R"({{"order":"vote","player":"eagle1","tree":"{}","node":"{}","vote":1}})",
+                         tree.name(), tree.path(node)))
+                  .problem,
               tree.node(node).takes_vote() ? "" : tree.path(node) + " does not vote");
   // what is needed and null is not given
   EXPECT_EQ(problem(R"({"order":"weapons","player":"eagle1","free":null})"),

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 
 #include "core/text.hpp"
 #include "debrief/decision.hpp"
@@ -232,6 +234,41 @@ INSTANTIATE_TEST_SUITE_P(Flown, PageData,
                                          Case{"convoy", "supply1", 200},
                                          Case{"layers", "viper1", 200}),
                          [](const auto& flown) { return std::string(flown.param.player); });
+
+TEST(PageData, NamesTheTracksOfDecisionsAsTheyAreThen) {
+  const debrief::Recorded recorded = test::recorded_flight("commitment", 60);
+  const Reader page(page_data(recorded));
+  const auto who = *recorded.scenario->roster.find("bogey1");
+  const json& players = page.document["players"];
+  const json& sights = players[who.value - 1]["sights"];
+  const auto times = page.column(sights["t"]), counts = page.column(sights["tracks"]["count"]),
+             ids = page.column(sights["tracks"]["id"]),
+             truths = page.column(sights["tracks"]["truth"]);
+  const std::regex is_named("#(\\d+) \\((\\w+)\\)");
+  std::set<std::string> named;
+  debrief::Reflight flight(recorded);
+  std::size_t last = 0, first_track = 0;  // the last look, and where its tracks begin
+  while (flight.step()) {
+    const auto decision =
+        debrief::explain(*recorded.scenario, flight.before(), flight.after(), who, flight.orders());
+    for (; decision && last + 1 < times.size() && times[last + 1] < decision->time + 1e-3; ++last)
+      first_track += static_cast<std::size_t>(counts[last]);
+    const auto action = decision ? decision->action : std::vector<debrief::Won>{};
+    for (const debrief::Won& won : action) {
+      std::smatch words;
+      if (!std::regex_search(won.value.text, words, is_named))
+        continue;
+      std::size_t track = first_track;
+      while (ids.at(track) != std::stod(words[1]))
+        ++track;
+      ASSERT_LT(track, first_track + static_cast<std::size_t>(counts[last])) << decision->time;
+      ASSERT_EQ(players[static_cast<std::size_t>(truths[track])]["name"], words[2].str())
+          << decision->time;
+      named.insert(words[2]);
+    }
+  }
+  EXPECT_EQ(named.size(), 2U) << "the track becomes another one's";
+}
 
 TEST(PageOfASequencer, SaysFromWhichTreeToWhichEachConditionLeads) {
   const debrief::Recorded recorded = test::recorded_flight("sweep_phases", 1);

@@ -148,6 +148,21 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await other.page.close();
     });
 
+    test('a link opens on a file of its scenario, and what is said of it goes when that changes', async () => {
+      const edits = { 'scenarios/packages/veteran.yaml': '# of another scenario\n' };
+      const { page: other, complaints } = await open(browser, link({ v: 1, scenario: 'scenarios/notch.yaml', edits }));
+      assert.equal(await other.$eval('.tabs [aria-pressed=true]', (one) => one.getAttribute('data-file')), 'scenarios/notch.yaml');
+      const says = (wanted: boolean) => other.waitForFunction((words) => (document.querySelector('.top [role=status]')!.textContent !== '') === words, wanted);
+      await other.$$eval('.top button', (all) => all.find((one) => one.textContent === 'Share')!.click());
+      await says(true);
+      await type_behind(other, 'name: notch', ' # by night');
+      await says(false);
+      await other.fill('[aria-label=Seed]', '12x');
+      await other.waitForFunction(() => [...document.querySelectorAll<HTMLButtonElement>('.top button')].find((one) => one.textContent === 'Share')!.disabled);
+      assert.deepEqual(complaints, []);
+      await other.close();
+    });
+
     test('what no link can hold is told, and no link is given that nobody can open', async () => {
       const line = `# ${'x'.repeat(97)}\n`;
       const filled = (lines: number): object => ({ v: 1, scenario: kSweep, edits: { [kSweep]: `# last\n${line.repeat(lines)}` } });

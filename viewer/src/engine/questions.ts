@@ -57,6 +57,7 @@ export interface Flown {
   time: number | null;  // s.
   hash: string;  // Of the world, as the terminal prints it.
   result?: Outcome;  // How it ended, once it is over.
+  fault: string;  // Why, if a fault has ended it.
   story: Array<Line>;  // What happened since the last answer.
 }
 
@@ -183,6 +184,8 @@ export interface WhatIf {
   steps: Array<number>;  // Of the world, by decision.
   leaders: Array<number>;  // By decision the node that would have led; 65535: nobody.
   spans: Array<[number, number]>;  // s, from the first to the last of other decisions in a row.
+  until: number | null;  // s, when the player was last there.
+  fault: string;  // Why nothing was asked from there on; empty: it was asked to the end.
 }
 
 /** Numbers are SI, times s of simulated time. A question that cannot be answered is rejected with an EngineError. */
