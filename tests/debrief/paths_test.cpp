@@ -91,7 +91,8 @@ TEST(Paths, TellWhomAircraftAttack) {
   std::size_t aimed = 0;
   const auto all = nlohmann::json::parse(geojson(paths));
   for (const auto& feature : all["features"])
-    if (feature["properties"]["name"] == "viper1" && feature["properties"].contains("target")) {
+    if (feature["properties"].value("name", "") == "viper1" &&
+        feature["properties"].contains("target")) {
       ++aimed;
       EXPECT_NE(feature["properties"]["target"], "viper1");
     }

@@ -282,17 +282,15 @@ describe('what if', { skip: kNoPage }, () => {
     await page.waitForSelector('.future [data-outcome]');
     assert.ok(await page.$('[data-row="leader flown on"]'), 'it is gone');
     await select('eagle2');
-    // it stays where it is while the answer of who is selected is awaited
-    assert.equal(await page.textContent('.future button'), 'fly on from here with it');
+    assert.equal(await page.textContent('.future button'), 'fly on from here with it', 'moved while its answer is awaited');
     await answer();
   });
   test('it is stopped while it is flown, and can be flown again', { skip: kNoProgram }, async () => {
     const left = await page.evaluate(async () => {
-      const drawn = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
-      document.querySelector<HTMLElement>('.future button')!.click();
-      await drawn();
-      document.querySelector<HTMLElement>('.future .late')!.click();
-      await drawn();
+      for (const button of ['.future button', '.future .late']) {
+        document.querySelector<HTMLElement>(button)!.click();
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+      }
       return document.querySelector('.future')!.textContent;
     });
     assert.equal(left, 'fly on from here with it');
@@ -300,8 +298,7 @@ describe('what if', { skip: kNoPage }, () => {
     await page.waitForSelector('.future [data-outcome]');
   });
   test('is as flown again after a reset', async () => {
-    // out from under the title of its section
-    await page.$eval('.what-if header button', (e) => e.scrollIntoView({ block: 'center' }));
+    await page.$eval('.what-if header button', (e) => e.scrollIntoView({ block: 'center' }));  // out from under a title
     await page.click('.what-if header button');
     await page.waitForFunction(() => document.querySelector<HTMLElement>('[data-decisions]')!.dataset['decisions'] === '');
   });
