@@ -302,10 +302,12 @@ Outcome outcome_of(const Recorded& recorded) {
 
 Outcome outcome_of(const Recorded& recorded, const Past& end) {
   Outcome flown = Branch(recorded, recorded.scenario, end, recorded.until()).fly();
+  // no side has ended it: what did, the recording alone knows, by a name or in outcome_text()
   using enum scenario::Outcome;
-  // no side has ended it: what did, the recording alone knows
-  for (const scenario::Outcome other : {running, stopped, fault})
-    if (flown.outcome == enum_name(time) && recorded.run.outcome == enum_name(other))
+  using Said = std::pair<std::string_view, scenario::Outcome>;
+  for (const auto& [begin, other] :
+       {Said{"running", running}, {"stopped", stopped}, {"fault", fault}, {"a fault", fault}})
+    if (flown.outcome == enum_name(time) && recorded.run.outcome.starts_with(begin))
       flown.outcome = enum_name(other);
   return flown;
 }

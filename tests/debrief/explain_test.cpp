@@ -143,8 +143,10 @@ TEST(WhatIf, EndsWithARunThatRanOutOfTimeAndElseAsTheScenarioSays) {
   Recorded cut = recorded_flight("sweep_phases", 500, 13);
   EXPECT_EQ(outcome_of(cut).outcome, "time");
   EXPECT_EQ(limit_of(cut, outcome_of(cut)), 500);
-  cut.run.outcome = "stopped";
-  EXPECT_EQ(outcome_of(cut).outcome, "stopped");
+  for (const char* said : {"stopped", "stopped at 08:20.0; losses: blue 0, red 0"}) {
+    cut.run.outcome = said;
+    EXPECT_EQ(outcome_of(cut).outcome, "stopped");
+  }
   EXPECT_EQ(limit_of(cut, outcome_of(cut)), 500);
   cut.run.outcome = "blue_home";
   EXPECT_EQ(outcome_of(cut).outcome, "time") << "that none of its sides has ended it is seen";
