@@ -191,60 +191,56 @@ std::optional<std::uint16_t> DataLoader::load(const std::string& name, const Loc
   if (const auto known = (library_.*kKind.shelf).find(name))
     return known;
   bool& failed = failed_[{std::string(kKind.folder), name}];
-  if (failed)
+  if (failed) {
+    ++untold_;
     return std::nullopt;
-  const std::size_t before = diagnostics_.count();
+  }
+  const std::size_t before = diagnostics_.count() + untold_;
   std::vector<std::string> chain;
   const auto map = document(kKind.folder, name, where, chain);
   Model model;
   static constexpr std::array<std::string_view, 2> kAlso{"base", "source"};
-  const bool whole = map && bind(model, *map, diagnostics_, kAlso) && complete(model, *map);
-  failed = !whole || diagnostics_.count() != before;
+  if (map && bind(model, *map, diagnostics_, kAlso))
+    complete(model, *map);
+  failed = !map || diagnostics_.count() + untold_ != before;
   if (failed)
     return std::nullopt;
   return (library_.*kKind.shelf).add(name, std::move(model));
 }
 
 template <Described Model>
-bool DataLoader::part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
+void DataLoader::part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
                       const Location& where) {
   if (name)
     index = load<Model>(*name, where);
-  return !name || index;
 }
 
 template <Described Model>
-bool DataLoader::complete(Model& model, const Value& document) {
-  bool whole = true;
-  if constexpr (std::same_as<Model, model::AircraftType>) {
-    const auto frame = load<model::Airframe>(model.airframe, document.where_of("airframe"));
-    whole = frame.has_value();
-    model.index.airframe = frame.value_or(0);
-  }
+void DataLoader::complete(Model& model, const Value& document) {
+  if constexpr (std::same_as<Model, model::AircraftType>)
+    if (const auto frame = load<model::Airframe>(model.airframe, document.where_of("airframe")))
+      model.index.airframe = *frame;
   if constexpr (requires { model.index.radar; }) {
-    whole &= part<model::Radar>(model.index.radar, model.radar, document.where_of("radar"));
-    whole &= part<model::Irst>(model.index.irst, model.irst, document.where_of("irst"));
-    whole &= part<model::Rwr>(model.index.rwr, model.rwr, document.where_of("rwr"));
-    whole &= part<model::Iff>(model.index.iff, model.iff, document.where_of("iff"));
-    whole &= part<model::Tracker>(model.index.tracker, model.tracker, document.where_of("tracker"));
-    whole &= part<model::GunType>(model.index.gun, model.gun, document.where_of("gun"));
-    whole &= part<model::Dispenser>(model.index.dispenser, model.dispenser,
-                                    document.where_of("dispenser"));
-    whole &= part<model::Jammer>(model.index.jammer, model.jammer, document.where_of("jammer"));
+    part<model::Radar>(model.index.radar, model.radar, document.where_of("radar"));
+    part<model::Irst>(model.index.irst, model.irst, document.where_of("irst"));
+    part<model::Rwr>(model.index.rwr, model.rwr, document.where_of("rwr"));
+    part<model::Iff>(model.index.iff, model.iff, document.where_of("iff"));
+    part<model::Tracker>(model.index.tracker, model.tracker, document.where_of("tracker"));
+    part<model::GunType>(model.index.gun, model.gun, document.where_of("gun"));
+    part<model::Dispenser>(model.index.dispenser, model.dispenser, document.where_of("dispenser"));
+    part<model::Jammer>(model.index.jammer, model.jammer, document.where_of("jammer"));
     if (model.rounds && !model.gun)
       diagnostics_.error(document.where_of("rounds"), "rounds: there is no gun for them");
     for (const model::StationFit& station : model.stations)
-      whole &= load<model::MissileType>(station.store, document.where_of("stations")).has_value();
+      load<model::MissileType>(station.store, document.where_of("stations"));
   }
   if constexpr (requires { model.index.visual; }) {
-    whole &= part<model::Visual>(model.index.visual, model.visual, document.where_of("visual"));
-    whole &=
-        part<model::Datalink>(model.index.datalink, model.datalink, document.where_of("datalink"));
+    part<model::Visual>(model.index.visual, model.visual, document.where_of("visual"));
+    part<model::Datalink>(model.index.datalink, model.datalink, document.where_of("datalink"));
   }
   if constexpr (requires { model.prepare(); })
     if (!only_checks_)
       model.prepare();
-  return whole;
 }
 
 std::optional<std::uint16_t> DataLoader::aircraft(const std::string& name, const Location& where) {

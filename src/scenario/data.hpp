@@ -77,9 +77,9 @@ class DataLoader {
   std::optional<std::uint16_t> load(const std::string& name, const Location& where);
   /// What a model is put together from, looked up in its document, and what is made of it.
   template <Described Model>
-  bool complete(Model& model, const Value& document);
+  void complete(Model& model, const Value& document);
   template <Described Model>
-  bool part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
+  void part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
             const Location& where);
   void check_inline(const Value::Entry& kind);
   void load_any(std::string_view kind, const std::string& name, const Location& where);
@@ -88,6 +88,7 @@ class DataLoader {
   const Value* inline_;
   Source& source_;
   Diagnostics& diagnostics_;
+  std::size_t untold_ = 0;    ///< mistakes of models that were asked for again
   bool only_checks_ = false;  ///< what is costly and finds no mistakes is left out
   std::map<std::pair<std::string, std::string>, bool> failed_;  ///< said once is enough
 };
