@@ -84,7 +84,7 @@ struct Loop {
     }
   }
   void step() {
-    const flight::Sky sky{reference, environment, time, kDt};
+    const flight::Sky sky{reference, environment, kDt};
     for (Row& row : rows) {
       if (turns)
         row.command.heading = row.kinematics.heading + 1;
@@ -95,7 +95,8 @@ struct Loop {
                           .propulsion = &row.propulsion,
                           .command = &row.command,
                           .routes = routes,
-                          .load = {.mass = 600, .drag_area = 0.06}};
+                          .load = {.mass = 600, .drag_area = 0.06},
+                          .time = time};
       if (dynamics == flight::Dynamics::laero)
         flight::fly_laero(sky, flyer);
       else

@@ -80,9 +80,9 @@ void bare_loop(benchmark::State& state) {
                                  .flying = &flying[i],
                                  .propulsion = &propulsion[i],
                                  .command = &command[i],
-                                 .routes = library.flights[fit[i].flight].routes};
-      model::flight::fly({library.reference, library.environment, time, 0.02},
-                         std::span(&flyer, 1));
+                                 .routes = library.flights[fit[i].flight].routes,
+                                 .time = time};
+      model::flight::fly({library.reference, library.environment, 0.02}, std::span(&flyer, 1));
       benchmark::DoNotOptimize(flyer.ran_dry);
     }
     time += 0.02;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <deque>
 #include <map>
 #include <vector>
 
@@ -141,6 +142,32 @@ TEST(Workspace, KeepsNothingBetweenWorlds) {
   World alone = swarm.world(50, 2);
   fly(swarm, alone, 50);
   EXPECT_EQ(two.hash(), alone.hash());
+}
+
+TEST(Step, MakesOfSeveralWorldsTogetherWhatItMakesOfEachAlone) {
+  const Swarm swarm;
+  const std::vector<std::uint32_t> birds = {1, 50, 257, 0, 50, 7};
+  std::vector<World> worlds, alone;
+  std::deque<Workspace> works;
+  for (std::size_t i = 0; i < birds.size(); ++i) {
+    worlds.push_back(swarm.world(birds[i], i));
+    fly(swarm, worlds.back(), static_cast<int>(i));  // each is in a step of its own
+    works.emplace_back(*swarm.simulation);
+  }
+  alone = worlds;
+  works[4].check_writes(worlds[4]);
+  Workspace work(*swarm.simulation);
+  for (int step = 0; step < 100; ++step) {
+    std::vector<Stepped> all;
+    for (std::size_t i = 0; i < birds.size(); ++i)
+      all.push_back({&worlds[i], &works[i]});
+    swarm.simulation->step(all);
+    for (std::size_t i = 0; i < birds.size(); ++i) {
+      const auto events = swarm.simulation->step(alone[i], work);
+      ASSERT_EQ(worlds[i].hash(), alone[i].hash()) << i << " in step " << step;
+      ASSERT_EQ(first_difference(0, events, works[i].events()), std::nullopt) << i;
+    }
+  }
 }
 
 TEST(Step, AllocatesNothingOnceItIsWarm) {

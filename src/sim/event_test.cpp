@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <deque>
 #include <vector>
 
 #include "sim/run.hpp"
@@ -91,6 +92,40 @@ TEST(FaultInAStep, IsTheFirstByRowForAnyNumberOfWorkers) {
     EXPECT_EQ(run.fault()->what, "is 301");
     EXPECT_EQ(run.world().hash(), hashes.last);
   }
+}
+
+TEST(FaultInAStep, IsThatOfOneAmongWorldsSteppedTogether) {
+  swarm::Keys keys;
+  SchemaBuilder schema;
+  keys.birds = schema.add_table("bird", 10);
+  keys.vitals = schema.add_column<Vitals>(keys.birds, "vitals");
+  SimulationBuilder builder(schema.build());
+  builder.add<Fails>(keys, std::vector<std::uint32_t>{3}, 5);
+  builder.add<Fails>(keys, std::vector<std::uint32_t>{}, 0);
+  const auto simulation = builder.build();
+  std::vector<World> worlds(3, simulation->world(1));
+  std::deque<Workspace> works;
+  for (std::uint32_t i = 0; i < worlds.size(); ++i) {
+    for (std::uint32_t bird = 0; bird < 1 + 2 * (i % 2); ++bird)
+      ASSERT_TRUE(worlds[i].spawn(keys.birds));
+    works.emplace_back(*simulation);
+  }
+  for (int step = 0; step < 6; ++step) {
+    std::vector<Stepped> all;
+    for (std::size_t i = 0; i < worlds.size(); ++i)
+      all.push_back({&worlds[i], &works[i]});
+    simulation->step(all);
+  }
+  for (const std::size_t whole : {0, 2}) {
+    EXPECT_FALSE(works[whole].fault());
+    EXPECT_EQ(worlds[whole].step(), 6U);
+    EXPECT_EQ(worlds[whole].rows(keys.vitals)[0].hits, 12U);
+  }
+  ASSERT_TRUE(works[1].fault());
+  EXPECT_EQ(works[1].fault()->what, "is 3");
+  EXPECT_EQ(works[1].fault()->step, 5U);
+  EXPECT_EQ(worlds[1].step(), 5U);
+  EXPECT_EQ(worlds[1].rows(keys.vitals)[0].hits, 11U) << "the system behind it does nothing";
 }
 
 TEST(Outbox, AllocatesNothingWithinItsRoom) {

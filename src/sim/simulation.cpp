@@ -49,86 +49,126 @@ const System* Simulation::handler(OrderKind kind) const {
   return kind.value < by_order_.size() ? by_order_[kind.value] : nullptr;
 }
 
-std::span<const Event> Simulation::step(World& world, Workspace& work,
-                                        std::span<const Order> orders) const {
+void Simulation::step(std::span<const Stepped> worlds) const {
+  EYRIE_THROW_UNLESS(worlds.size() <= kMostTogether, "too many worlds are stepped together");
+  for (const Stepped& one : worlds)
+    begin(one);
+  run(Phase::perceive, &System::perceive, worlds);
+  run(Phase::decide, &System::decide, worlds);
+  run(Phase::act, &System::act, worlds);
+  run(Phase::move, &System::move, worlds);
+  run(Phase::interact, &System::interact, worlds);
+  for (const Stepped& one : worlds) {
+    if (one.work->fault_) [[unlikely]] {
+      one.work->events_.clear();
+      continue;
+    }
+    commit(one);
+    ++one.world->header().step;
+  }
+}
+
+void Simulation::begin(const Stepped& one) const {
+  World& world = *one.world;
+  Workspace& work = *one.work;
   EYRIE_THROW_UNLESS(&world.schema() == schema_.get(), "the world belongs to another simulation");
   EYRIE_THROW_UNLESS(work.by_chunk_.size() >= chunks_,
                      "the workspace was made for another simulation");
-  const StepInfo info{.step = world.step(), .seed = world.seed(), .dt = dt_};
   work.events_.clear();
   work.fault_.reset();
-
-  apply_orders(world, info, work, orders);
-  const bool whole = run(Phase::perceive, &System::perceive, world, info, work) &&
-                     run(Phase::decide, &System::decide, world, info, work) &&
-                     run(Phase::act, &System::act, world, info, work) &&
-                     run(Phase::move, &System::move, world, info, work) &&
-                     run(Phase::interact, &System::interact, world, info, work);
-  if (!whole) [[unlikely]] {
-    work.events_.clear();
-    return {};
-  }
-  commit(world, info, work);
-  ++world.header().step;
-  return work.events();
-}
-
-void Simulation::apply_orders(World& world, const StepInfo& info, Workspace& work,
-                              std::span<const Order> orders) const {
-  for (const Order& order : orders) {
+  for (const Order& order : one.orders) {
     const System* system = handler(order.kind);
-    EYRIE_DEMAND(order.step == info.step, "an order is applied in the step it names");
+    EYRIE_DEMAND(order.step == world.step(), "an order is applied in the step it names");
     EYRIE_DEMAND(system != nullptr, "an order needs a system that accepts its kind");
     if (work.check_) [[unlikely]]
       work.check_->begin(world);
-    system->apply_order(world, info, order, work.events_);
+    system->apply_order(world, info(world), order, work.events_);
     if (work.check_) [[unlikely]]
       work.check_->end(world, *system, Phase::orders);
   }
 }
 
-bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
-                     Workspace& work) const {
+void Simulation::run(Phase phase, Part part, std::span<const Stepped> worlds) const {
   for (const Turn& turn : by_phase_[index_of(phase)]) {
-    const System* system = turn.system;
-    const std::uint32_t rows = world.rows(turn.table);
-    if (rows == 0)
+    if (phase == Phase::move && worlds.size() > 1) {
+      move_together(turn, worlds);
       continue;
-    if (work.check_) [[unlikely]]
-      work.check_->begin(world);
-    const auto run_chunk = [&](Chunk chunk, Outbox& out) noexcept {
-      (system->*part)(world, info, chunk, out);
-    };
-    if (rows <= kChunk) {
-      run_chunk({0, rows}, work.events_);
-    } else {
-      work.executor_.for_chunks(rows, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        run_chunk({begin, end}, work.by_chunk_[chunk]);
-      });
-      work.collect(chunk_count(rows));
     }
-    if (work.events_.failed()) [[unlikely]] {
-      work.fault_ = work.events_.take_fault();
-      work.fault_->system = system->name();
-      work.fault_->step = info.step;
-      return false;
-    }
-    if (work.check_) [[unlikely]]
-      work.check_->end(world, *system, phase, [&](World& other, Chunk chunk) {
-        (system->*part)(other, info, chunk, work.emitted_);
-        static_cast<void>(work.emitted_.take_fault());
-        work.emitted_.clear();
-      });
+    for (const Stepped& one : worlds)
+      if (const std::uint32_t rows = one.world->rows(turn.table); rows > 0 && !one.work->fault_)
+        run(turn, phase, part, one, rows);
   }
+}
+
+void Simulation::move_together(const Turn& turn, std::span<const Stepped> worlds) const {
+  std::array<Share, kMostTogether> shares;
+  std::array<const Stepped*, kMostTogether> whose;
+  std::size_t count = 0;
+  for (const Stepped& one : worlds) {
+    const std::uint32_t rows = one.world->rows(turn.table);
+    if (rows == 0 || one.work->fault_)
+      continue;
+    if (rows > kChunk || one.work->check_) {
+      run(turn, Phase::move, &System::move, one, rows);
+    } else {
+      shares[count] = {one.world, info(*one.world), {0, rows}, &one.work->events_};
+      whose[count++] = &one;
+    }
+  }
+  if (count == 0)
+    return;
+  [&]() noexcept { turn.system->move_together(std::span(shares).first(count)); }();
+  for (std::size_t i = 0; i < count; ++i)
+    static_cast<void>(failed(*turn.system, *whose[i]));
+}
+
+bool Simulation::failed(const System& system, const Stepped& one) const {
+  Workspace& work = *one.work;
+  if (!work.events_.failed()) [[likely]]
+    return false;
+  work.fault_ = work.events_.take_fault();
+  work.fault_->system = system.name();
+  work.fault_->step = one.world->step();
   return true;
 }
 
-void Simulation::commit(World& world, const StepInfo& info, Workspace& work) const {
+void Simulation::run(const Turn& turn, Phase phase, Part part, const Stepped& one,
+                     std::uint32_t rows) const {
+  const System& system = *turn.system;
+  World& world = *one.world;
+  Workspace& work = *one.work;
+  const StepInfo info = this->info(world);
+  if (work.check_) [[unlikely]]
+    work.check_->begin(world);
+  const auto run_chunk = [&](Chunk chunk, Outbox& out) noexcept {
+    (system.*part)(world, info, chunk, out);
+  };
+  if (rows <= kChunk) {
+    run_chunk({0, rows}, work.events_);
+  } else {
+    work.executor_.for_chunks(rows, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+      run_chunk({begin, end}, work.by_chunk_[chunk]);
+    });
+    work.collect(chunk_count(rows));
+  }
+  if (failed(system, one)) [[unlikely]]
+    return;
+  if (work.check_) [[unlikely]]
+    work.check_->end(world, system, phase, [&](World& other, Chunk chunk) {
+      (system.*part)(other, info, chunk, work.emitted_);
+      static_cast<void>(work.emitted_.take_fault());
+      work.emitted_.clear();
+    });
+}
+
+void Simulation::commit(const Stepped& one) const {
+  World& world = *one.world;
+  Workspace& work = *one.work;
   for (const auto& [system, table] : by_phase_[index_of(Phase::commit)]) {
     if (work.check_) [[unlikely]]
       work.check_->begin(world);
     CommitContext context(world, work.emitted_);
-    system->commit(world, info, work.events(), context);
+    system->commit(world, info(world), work.events(), context);
     if (work.check_) [[unlikely]]
       work.check_->end(world, *system, Phase::commit);
     // appended only now: the system was reading the events it was given

@@ -49,9 +49,9 @@ struct Period {
 
 /// What is the same for everybody during one step.
 struct StepInfo {
-  std::uint64_t step = 0;  ///< number of the step being made, counted from 0
-  std::uint64_t seed = 0;  ///< of the run: key of every Draw
-  double dt = 0;           ///< s, length of a step
+  std::uint64_t step;  ///< number of the step being made, counted from 0
+  std::uint64_t seed;  ///< of the run: key of every Draw
+  double dt;           ///< s, length of a step
   /// s, at the beginning of the step.
   [[nodiscard]] double time() const { return static_cast<double>(step) * dt; }
   /// s, at the end of the step: as every clock has it, without the rounding of time() + dt.
@@ -60,8 +60,8 @@ struct StepInfo {
 
 /// Rows [begin, end) of a table.
 struct Chunk {
-  std::size_t begin = 0;
-  std::size_t end = 0;
+  std::size_t begin;
+  std::size_t end;
 };
 
 /// The only place where players are born and removed: handed to System::commit.
@@ -86,6 +86,14 @@ class CommitContext {
   CommitContext(World& world, Outbox& emitted) : world_(world), emitted_(emitted) {}
   World& world_;
   Outbox& emitted_;
+};
+
+/// Rows of one of several worlds that are stepped together.
+struct Share {
+  World* world;
+  StepInfo info;
+  Chunk chunk;
+  Outbox* out;
 };
 
 /// One const model's share of the step. It keeps nothing: everything that changes is in the World.
@@ -114,6 +122,12 @@ class System {
   virtual void decide(World&, const StepInfo&, Chunk, Outbox&) const {}
   virtual void act(World&, const StepInfo&, Chunk, Outbox&) const {}
   virtual void move(World&, const StepInfo&, Chunk, Outbox&) const {}
+  /// The same for several worlds: to be overridden by who computes side by side what it finds in
+  /// them. What comes of a world must be what comes of it alone.
+  virtual void move_together(std::span<const Share> shares) const {
+    for (const Share& share : shares)
+      move(*share.world, share.info, share.chunk, *share.out);
+  }
   virtual void interact(World&, const StepInfo&, Chunk, Outbox&) const {}
 
   /// `events`: everything of this step's orders and parallel phases in (phase, system, row,

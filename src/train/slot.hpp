@@ -2,6 +2,7 @@
 #pragma once
 /// \file  What an environment keeps from decision to decision, and what a thread needs to step
 /// some.
+#include <deque>
 #include <stdexcept>
 
 #include "pilot/pilot_system.hpp"
@@ -50,13 +51,23 @@ struct VectorEnv::Slot {
 };
 
 struct VectorEnv::Lane {
+  /// What one of the worlds that are stepped together needs.
+  struct One {
+    One(const sim::Simulation& simulation, std::size_t most_orders) : work(simulation, 1, 64) {
+      orders.reserve(most_orders);
+    }
+    sim::Workspace work;
+    std::vector<sim::Order> orders;  ///< of the step that is made
+  };
   Lane(const scenario::Scenario& scenario, std::size_t most_orders)
-      : work(*scenario.simulation, 1, 64), judge(scenario, scenario.spec.until) {
-    orders.reserve(most_orders);
+      : judge(scenario, scenario.spec.until) {
+    for (std::size_t i = 0; i < kTogether; ++i)
+      ones.emplace_back(*scenario.simulation, most_orders);
   }
-  sim::Workspace work;
+  std::deque<One> ones;
   scenario::Judge judge;
-  std::vector<sim::Order> orders;  ///< of the step that is made
+
+  static constexpr std::size_t kTogether = 8;
 };
 
 /// Calls `use` with what the pilot of an aircraft perceives between two steps; false if it is gone.

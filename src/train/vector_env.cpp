@@ -77,15 +77,6 @@ void VectorEnv::end(Slot& slot) const {
   ++slot.episodes;
 }
 
-template <class Use>
-void VectorEnv::for_all(Use use) {
-  const std::size_t lanes = lanes_.size(), envs = shape_.envs;
-  executor_->for_chunks(lanes * kChunk, [&](std::size_t i, std::size_t, std::size_t) {
-    for (std::size_t env = i * envs / lanes; env < (i + 1) * envs / lanes; ++env)
-      use(env, *lanes_[i]);
-  });
-}
-
 void VectorEnv::reset(std::uint64_t seed, const Arrays& out) {
   check(out);
   options_.seed = seed;
@@ -108,9 +99,15 @@ void VectorEnv::step(std::span<const float> actions, const Arrays& out) {
   check(out);
   check_actions(actions);
   const std::size_t each = shape_.agents * shape_.action;
-  for_all([&](std::size_t env, Lane& lane) {
-    advance(slots_[env], lane, actions.data() + env * each);
-    judge(slots_[env], env, out);
+  const std::size_t lanes = lanes_.size(), envs = shape_.envs;
+  executor_->for_chunks(lanes * kChunk, [&](std::size_t i, std::size_t, std::size_t) {
+    const std::size_t end = (i + 1) * envs / lanes;
+    for (std::size_t env = i * envs / lanes, next; env < end; env = next) {
+      next = std::min(end, env + lanes_[i]->ones.size());
+      advance(std::span(slots_).subspan(env, next - env), *lanes_[i], actions.data() + env * each);
+      for (std::size_t one = env; one < next; ++one)
+        judge(slots_[one], one, out);
+    }
   });
   for (std::size_t env = 0; env < shape_.envs; ++env)
     if (slots_[env].fault)
@@ -143,46 +140,71 @@ void VectorEnv::command(Slot& slot, std::size_t agent, const float* action,
   }
 }
 
-void VectorEnv::advance(Slot& slot, Lane& lane, const float* actions) const {
-  for (Slot::Agent& agent : slot.agents)
-    agent.merit = {};
+void VectorEnv::advance(std::span<Slot> group, Lane& lane, const float* actions) const {
   // the first one waits for the learner's decision: those behind it then begin where they end
-  const std::uint32_t wait = slot.world.step() == 0 ? lead_ : 0;
-  for (std::uint32_t i = 0; i < wait + period_ && slot.outcome == scenario::Outcome::running; ++i) {
-    // the orders of this step: the scenario's own, then those of the decision
-    const std::uint64_t step = slot.world.step();
-    lane.orders.clear();
-    for (const sim::Order& order : scenario_->orders)
-      if (order.step == step)
-        lane.orders.push_back(order);
-    if (step == 0)
-      for (const Choice& choice : choices_) {
-        Draw draw(slot.seed, choice.player, Stream::episode, 0, 1);
-        const auto pick =
-            static_cast<std::size_t>(draw.uniform() * static_cast<double>(choice.trees.size()));
-        lane.orders.push_back(
-            pilot::PilotSystem::swap_tree_order(0, choice.player, choice.trees[pick]));
-      }
-    if (i == wait)
-      for (std::size_t agent = 0; agent < shape_.agents; ++agent)
-        if (slot.agents[agent].alive &&
-            slot.world.row(scenario_->aircraft.table, learners_[agent].id))
-          command(slot, agent, actions + agent * shape_.action, lane.orders);
-    if (slot.kept)
-      slot.orders.insert(slot.orders.end(), lane.orders.begin(), lane.orders.end());
-
-    const auto events = scenario_->simulation->step(slot.world, lane.work, lane.orders);
-    if (lane.work.fault()) [[unlikely]] {
-      slot.fault = *lane.work.fault();
-      slot.outcome = scenario::Outcome::fault;
-      return;
-    }
-    for (const sim::Event& event : events)
-      for (std::size_t agent = 0; agent < shape_.agents; ++agent)
-        note(event, learners_[agent].id, scenario_->roster, slot.agents[agent].merit);
-    slot.any_home |= lane.judge.comes_home(events);
-    slot.outcome = lane.judge(slot.world, slot.any_home);
+  std::array<std::uint32_t, sim::kMostTogether> wait;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    wait[i] = group[i].world.step() == 0 ? lead_ : 0;
+    for (Slot::Agent& agent : group[i].agents)
+      agent.merit = {};
   }
+  for (std::uint32_t made = 0;; ++made) {
+    std::array<sim::Stepped, sim::kMostTogether> steps;
+    std::array<Slot*, sim::kMostTogether> whose;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      Slot& slot = group[i];
+      if (made >= wait[i] + period_ || slot.outcome != scenario::Outcome::running)
+        continue;
+      Lane::One& one = lane.ones[count];
+      order(slot, one.orders,
+            made == wait[i] ? actions + i * shape_.agents * shape_.action : nullptr);
+      steps[count] = {&slot.world, &one.work, one.orders};
+      whose[count++] = &slot;
+    }
+    if (count == 0)
+      return;
+    scenario_->simulation->step(std::span(steps).first(count));
+    for (std::size_t i = 0; i < count; ++i)
+      look(*whose[i], lane.judge, lane.ones[i].work);
+  }
+}
+
+/// The orders of a step: the scenario's own, then those of the decision, if it is made now.
+void VectorEnv::order(Slot& slot, std::vector<sim::Order>& orders, const float* actions) const {
+  const std::uint64_t step = slot.world.step();
+  orders.clear();
+  for (const sim::Order& order : scenario_->orders)
+    if (order.step == step)
+      orders.push_back(order);
+  if (step == 0)
+    for (const Choice& choice : choices_) {
+      Draw draw(slot.seed, choice.player, Stream::episode, 0, 1);
+      const auto pick =
+          static_cast<std::size_t>(draw.uniform() * static_cast<double>(choice.trees.size()));
+      orders.push_back(pilot::PilotSystem::swap_tree_order(0, choice.player, choice.trees[pick]));
+    }
+  if (actions)
+    for (std::size_t agent = 0; agent < shape_.agents; ++agent)
+      if (slot.agents[agent].alive &&
+          slot.world.row(scenario_->aircraft.table, learners_[agent].id))
+        command(slot, agent, actions + agent * shape_.action, orders);
+  if (slot.kept)
+    slot.orders.insert(slot.orders.end(), orders.begin(), orders.end());
+}
+
+/// What came of a step.
+void VectorEnv::look(Slot& slot, scenario::Judge& judge, const sim::Workspace& work) const {
+  if (work.fault()) [[unlikely]] {
+    slot.fault = *work.fault();
+    slot.outcome = scenario::Outcome::fault;
+    return;
+  }
+  for (const sim::Event& event : work.events())
+    for (std::size_t agent = 0; agent < shape_.agents; ++agent)
+      note(event, learners_[agent].id, scenario_->roster, slot.agents[agent].merit);
+  slot.any_home |= judge.comes_home(work.events());
+  slot.outcome = judge(slot.world, slot.any_home);
 }
 
 void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) const {

@@ -128,13 +128,13 @@ class VectorEnv {
   [[nodiscard]] std::uint64_t next_seed(std::size_t env) const;
   void command(Slot& slot, std::size_t agent, const float* action,
                std::vector<sim::Order>& orders) const;
-  void advance(Slot& slot, Lane& lane, const float* actions) const;
+  void advance(std::span<Slot> group, Lane& lane, const float* actions) const;
+  void order(Slot& slot, std::vector<sim::Order>& orders, const float* actions) const;
+  void look(Slot& slot, scenario::Judge& judge, const sim::Workspace& work) const;
   void judge(Slot& slot, std::size_t env, const Arrays& out) const;
   void show(std::size_t env, const Arrays& out) const;
   void show_now(std::size_t env, const Arrays& out) const;
   void observe(const Slot& slot, std::size_t agent, float* observation, std::uint8_t* mask) const;
-  template <class Use>
-  void for_all(Use use);
 
   TaskSpec task_;
   Options options_;

@@ -11,8 +11,7 @@ namespace eyrie::model::flight {
 struct Sky {
   const Reference& reference;
   const Environment& environment;
-  double time = 0;  ///< s, at the beginning of the step
-  double dt = 0;    ///< s
+  double dt = 0;  ///< s
 };
 
 /// One aircraft: the rows that flying reads and writes, and what it is.
@@ -24,6 +23,7 @@ struct Flyer {
   const Command* command = nullptr;
   std::span<const Route> routes = {};  ///< of its flight
   Load load = {};                      ///< stores on board
+  double time = 0;                     ///< s, at the beginning of the step
   bool tells_energy = true;            ///< Flying::energy is of this step
   bool ran_dry = false;                ///< the tanks did in this step
 };
@@ -109,7 +109,7 @@ template <class Real, bool kAlike = math::kLanes<Real> == 1>
     const Flyer& f = flyers[i];
     return guide(f.model->airframe().autopilot, *f.kinematics, *f.command,
                  {.routes = f.routes, .turn_radius = math::lane(radius, i)}, *f.flying, winds[i],
-                 sky.time, sky.dt);
+                 f.time, sky.dt);
   });
   for (std::size_t i = 0; i < kCount; ++i)
     if (flyers[i].tells_energy)

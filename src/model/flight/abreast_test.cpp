@@ -74,9 +74,10 @@ struct Crowd {
                           .command = &row.command,
                           .routes = routes,
                           .load = {.mass = 100.0 * static_cast<double>(i), .drag_area = 0.02},
+                          .time = step * test::kDt,
                           .tells_energy = step % 5 == 0});
       }
-      fly_those(Sky{reference, environment, step * test::kDt, test::kDt}, std::span(flyers));
+      fly_those(Sky{reference, environment, test::kDt}, std::span(flyers));
       for (const Flyer& flyer : flyers)
         ran_dry += flyer.ran_dry;
     }

@@ -8,6 +8,8 @@
 namespace eyrie::model::flight {
 namespace {
 
+constexpr std::size_t kAbreast = 8;
+
 std::size_t station_index(const weapon::Station& station) {
   return station.store * std::size_t{256} + station.count;
 }
@@ -60,50 +62,72 @@ Load FlightSystem::load_of(const weapon::Stores& stores) const {
 
 void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                         sim::Outbox& out) const {
-  const auto ids = world.ids(columns_.table);
-  const auto fit = world.rows(columns_.fit);
-  const auto command = world.rows(columns_.command);
-  const auto stores = world.rows(columns_.stores);
-  const auto kinematics = world.rows(columns_.kinematics);
-  const auto flying = world.rows(columns_.flying);
-  const auto propulsion = world.rows(columns_.propulsion);
-  const double time = info.time();
+  move_together(std::array{sim::Share{&world, info, chunk, &out}});
+}
 
-  const Sky sky{library_->reference, library_->environment, time, info.dt};
-  constexpr std::size_t kAbreast = 4;
-  for (std::size_t begin = chunk.begin, end; begin < chunk.end; begin = end) {
-    end = std::min(begin + kAbreast, chunk.end);
-    std::array<Flyer, kAbreast> flyers;
-    std::array<std::size_t, kAbreast> rows_of;
-    std::size_t count = 0;
-    std::uint32_t dry = 0;  // a bit for each row
-    for (std::size_t i = begin; i < end; ++i) {
+void FlightSystem::move_together(std::span<const sim::Share> shares) const {
+  if (shares.empty())
+    return;
+  const Sky sky{library_->reference, library_->environment, shares.front().info.dt};
+  /// One of those who fly side by side.
+  struct Seat {
+    const sim::Share* share;
+    std::size_t row;
+    bool ran_dry;
+  };
+  std::array<Seat, kAbreast> seats;
+  std::array<Flyer, kAbreast> flyers;         // of point_mass
+  std::array<std::size_t, kAbreast> seat_of;  // of each of these
+  std::size_t seated = 0, count = 0;
+  const auto fly_all = [&] {
+    fly(sky, std::span(flyers).first(count));
+    for (std::size_t i = 0; i < count; ++i)
+      seats[seat_of[i]].ran_dry = flyers[i].ran_dry;
+    for (const Seat& seat : std::span(seats).first(seated))
+      if (seat.ran_dry) [[unlikely]]
+        seat.share->out->emit(
+            {.kind = EventKind::fuel_out,
+             .who = seat.share->world->ids(columns_.table)[seat.row],
+             .place = seat.share->world->rows(columns_.kinematics)[seat.row].position});
+    seated = count = 0;
+  };
+  for (const sim::Share& share : shares) {
+    sim::World& world = *share.world;
+    const auto ids = world.ids(columns_.table);
+    const auto fit = world.rows(columns_.fit);
+    const auto command = world.rows(columns_.command);
+    const auto stores = world.rows(columns_.stores);
+    const auto kinematics = world.rows(columns_.kinematics);
+    const auto flying = world.rows(columns_.flying);
+    const auto propulsion = world.rows(columns_.propulsion);
+    const double time = share.info.time();
+    for (std::size_t i = share.chunk.begin; i < share.chunk.end; ++i) {
       if (fit[i].remote != 0)
         continue;
       const Type& type = types_[fit[i].type];
       Flyer& f = flyers[count];
-      f.model = &models_[type.airframe];
-      f.kinematics = &kinematics[i];
-      f.flying = &flying[i];
-      f.propulsion = &propulsion[i];
-      f.command = &command[i];
-      f.routes = routes_[std::min<std::size_t>(fit[i].flight, routes_.size() - 1)];
+      f = {.model = &models_[type.airframe],
+           .kinematics = &kinematics[i],
+           .flying = &flying[i],
+           .propulsion = &propulsion[i],
+           .command = &command[i],
+           .routes = routes_[std::min<std::size_t>(fit[i].flight, routes_.size() - 1)],
+           .load = {},
+           .time = time};
+      Seat& seat = seats[seated] = {&share, i, false};
       if (type.dynamics == Dynamics::laero) {
         fly_laero(sky, f);
-        dry |= f.ran_dry ? 1u << (i - begin) : 0;
-        continue;
+        seat.ran_dry = f.ran_dry;
+      } else {
+        f.load = load_of(stores[i]);
+        f.tells_energy = sim::due(share.info.step + 1, ids[i], period_);
+        seat_of[count++] = seated;
       }
-      f.load = load_of(stores[i]);
-      f.tells_energy = sim::due(info.step + 1, ids[i], period_);
-      rows_of[count++] = i - begin;
+      if (++seated == kAbreast)
+        fly_all();
     }
-    fly(sky, std::span(flyers).first(count));
-    for (std::size_t i = 0; i < count; ++i)
-      dry |= flyers[i].ran_dry ? 1u << rows_of[i] : 0;
-    for (std::size_t i = begin; dry != 0; ++i, dry >>= 1)
-      if ((dry & 1) != 0)
-        out.emit({.kind = EventKind::fuel_out, .who = ids[i], .place = kinematics[i].position});
   }
+  fly_all();
 }
 
 void FlightSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,

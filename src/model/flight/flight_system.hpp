@@ -27,6 +27,7 @@ class FlightSystem final : public sim::System {
   [[nodiscard]] std::string_view name() const override { return "flight"; }
   [[nodiscard]] TableId table() const override { return columns_.table; }
   void move(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
+  void move_together(std::span<const sim::Share> shares) const override;
   void interact(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
 
   /// Mass and drag area of what hangs under an aircraft.

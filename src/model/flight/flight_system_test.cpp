@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <memory>
 
 #include "model/events.hpp"
+#include "sim/difference.hpp"
 #include "sim/simulation.hpp"
 #include "support/model/lone_flight.hpp"
 #include "support/no_allocation.hpp"
@@ -53,15 +55,18 @@ struct Sky {
     builder.add<FlightSystem>(columns, models, kDeciding);
     simulation = builder.build();
     world = std::make_unique<sim::World>(simulation->world(1));
+    put(*world, aircraft);
+  }
+  void put(sim::World& into, std::uint32_t aircraft) const {
     for (std::uint32_t i = 0; i < aircraft; ++i) {
-      const auto born = world->spawn(columns.table);
+      const auto born = into.spawn(columns.table);
       const Vec3 place{0, 3000.0 * i, -3000};
-      world->rows(columns.fit)[i].type = static_cast<std::uint16_t>(i % 2);
-      world->rows(columns.fit)[i].side = Side::blue;
-      world->rows(columns.kinematics)[i] =
+      into.rows(columns.fit)[i].type = static_cast<std::uint16_t>(i % 2);
+      into.rows(columns.fit)[i].side = Side::blue;
+      into.rows(columns.kinematics)[i] =
           placed(models->reference, models->environment, place, 0, 220);
-      world->rows(columns.propulsion)[i].fuel = 2000;
-      Command& command = world->rows(columns.command)[i];
+      into.rows(columns.propulsion)[i].fuel = 2000;
+      Command& command = into.rows(columns.command)[i];
       command.altitude = 3000;
       command.speed = 220;
       command.load_factor = 4;
@@ -102,6 +107,42 @@ TEST(FlightSystem, FliesTheRouteOfTheFlight) {
     EXPECT_NEAR(degrees(k.heading), 93, 5) << "to the waypoint, from where the turn left it";
     EXPECT_GT(k.altitude, 3300);
   }
+}
+
+TEST(FlightSystem, FliesSeveralWorldsSideBySideAsEachAlone) {
+  const Sky scene(5);
+  std::vector<sim::World> worlds;
+  std::deque<sim::Workspace> works;
+  std::uint64_t begin = 0;
+  for (const std::uint32_t aircraft : {1U, 5U, 0U, 2U, 4U, 3U}) {
+    sim::World world = scene.simulation->world(1);
+    scene.put(world, aircraft);
+    for (std::uint32_t i = 0; i < aircraft; ++i) {
+      world.rows(scene.columns.propulsion)[i].fuel = 1 + 0.1 * i;
+      world.rows(scene.columns.command)[i].heading = aircraft;
+      world.rows(scene.columns.fit)[i].remote = aircraft == 4 && i == 1 ? 1 : 0;
+    }
+    works.emplace_back(*scene.simulation);
+    for (begin += 7; world.step() < begin;)  // each is in a step of its own
+      scene.simulation->step(world, works.back());
+    worlds.push_back(std::move(world));
+  }
+  std::vector<sim::World> alone = worlds;
+  sim::Workspace work(*scene.simulation);
+  std::size_t dry = 0;
+  for (int step = 0; step < 500; ++step) {
+    std::vector<sim::Stepped> all;
+    for (std::size_t i = 0; i < worlds.size(); ++i)
+      all.push_back({&worlds[i], &works[i]});
+    scene.simulation->step(all);
+    for (std::size_t i = 0; i < worlds.size(); ++i) {
+      const auto events = scene.simulation->step(alone[i], work);
+      ASSERT_EQ(worlds[i].hash(), alone[i].hash()) << i << " in step " << step;
+      ASSERT_EQ(sim::first_difference(0, events, works[i].events()), std::nullopt) << i;
+      dry += count(events, EventKind::fuel_out);
+    }
+  }
+  EXPECT_EQ(dry, 5U) << "one of each point mass; those of laero burn nothing";
 }
 
 TEST(FlightSystem, SaysOnceThatTheTanksAreDry) {

@@ -155,12 +155,13 @@ NavState advance_leg(const GuidanceGains& gains, const Kinematics& own, const Ro
 
     // where the turn onto the next leg begins: radius * tan(half the turn), at most 3 radii
     const std::size_t next = nav.leg + 1u < count ? nav.leg + 1u : 0u;
-    if (!reached && (next > 0 || route.end == RouteEnd::repeat) && count > 1) {
+    const bool is_near = to_go < 3 * turn_radius && std::fabs(beside) < wide;
+    if (!reached && is_near && (next > 0 || route.end == RouteEnd::repeat) && count > 1) {
       const Flat onward =
           unit(flat(own, route.waypoints[next].position - route.waypoints[nav.leg].position));
       const double cosine = std::clamp(dot(along, onward), -1.0, 1.0);
       const double half = std::sqrt((1 - cosine) / std::max(1 + cosine, 1e-9));
-      reached = to_go < turn_radius * std::min(half, 3.0) && std::fabs(beside) < wide;
+      reached = to_go < turn_radius * std::min(half, 3.0);
     }
   }
   if (!reached)

@@ -60,14 +60,15 @@ struct TestFlight {
 
   /// With the autopilot. True if the tanks ran dry.
   bool step() {
-    const flight::Sky sky{reference, environment, time, kDt};
+    const flight::Sky sky{reference, environment, kDt};
     flight::Flyer flyer{.model = &model,
                         .kinematics = &kinematics,
                         .flying = &flying,
                         .propulsion = &propulsion,
                         .command = &command,
                         .routes = routes,
-                        .load = load};
+                        .load = load,
+                        .time = time};
     if (dynamics == flight::Dynamics::laero)
       flight::fly_laero(sky, flyer);
     else
