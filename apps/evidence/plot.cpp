@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
+
 namespace eyrie::evidence {
 namespace {
 
@@ -36,17 +38,10 @@ struct Scale {
   double pixel_from, pixel_to, first = 0, last = 1, step = 1;
 };
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text)
-    result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return result;
-}
-
 std::string text(double x, double y, const char* anchor, const std::string& what,
                  const char* more = "") {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                     anchor, more, escaped(what));
+                     anchor, more, xml_text(what));
 }
 
 std::string line(double x1, double y1, double x2, double y2, const char* color) {

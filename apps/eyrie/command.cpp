@@ -144,6 +144,9 @@ int interruption() {
 }
 
 void finish(disk::OutputFile& out) {
+  if (interruption() == SIGXFSZ)
+    throw disk::Failed("cannot write {}: {}; nothing was written", quote_path(out.sink().path()),
+                       disk::words_of(EFBIG));
   if (interrupted())
     throw disk::Failed("interrupted, nothing was written");
   out.commit();

@@ -4,6 +4,7 @@
 
 #include "command.hpp"
 #include "commands.hpp"
+#include "core/text.hpp"
 #include "dis/pcap.hpp"
 #include "disk/output.hpp"
 #include "live.hpp"
@@ -29,6 +30,9 @@ void fly_again(const debrief::Recorded& recorded, sim::Observer& observer) {
 void write_paths(const debrief::Recorded& recorded, ExportFormat format, disk::Sink& sink) {
   record::Paths paths(*recorded.scenario);
   fly_again(recorded, paths);
+  if (const double pause = paths.widest_pause(); pause > 0)
+    complain("eyrie: {} is long: of a path with more than {} fixes each {:.3g} s is kept\n",
+             recorded.file, record::Paths::kMost, pause);
   sink.write(format == ExportFormat::czml ? record::czml(paths) : record::geojson(paths));
 }
 
@@ -72,7 +76,7 @@ int export_run(const ExportOptions& options) {
   const bool packets = options.format == ExportFormat::pcap;
   const bool csv = !paths && !packets && options.format != ExportFormat::sqlite;
   const std::string end = fs::path(options.out).extension();
-  if (end == ".GZ" || (end == ".gz" && !csv))
+  if ((end != ".gz" && to_small(end) == ".gz") || (end == ".gz" && !csv))
     refuse("--out {}: only CSV is compressed, and only for a name that ends with '.gz'",
            quote_path(options.out));
   if ((paths || packets) &&

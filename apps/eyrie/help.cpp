@@ -318,7 +318,22 @@ void add_completion(CLI::App& app, std::function<int()>& chosen) {
 }
 
 std::string completions(const CLI::App& app, std::span<char*> words) {
-  const std::string begun = words.empty() ? "" : words.back();
+  std::string begun = words.empty() ? "" : words.back(), before, kept;
+  if (words.size() > 1)
+    before = words[words.size() - 2];
+  // --units=m; bash, which breaks words there, has three
+  bool joined = true;
+  if (const auto sign = begun.find('='); begun.starts_with("--") && sign != begun.npos) {
+    before = begun.substr(0, sign);
+    kept = begun.substr(0, sign + 1);
+    begun.erase(0, sign + 1);
+  } else if (words.size() > 2 && begun == "=") {
+    begun.clear();
+  } else if (words.size() > 3 && before == "=") {
+    before = words[words.size() - 3];
+  } else {
+    joined = false;
+  }
   const CLI::App* command = words.size() > 1 ? command_named(app, words[0]) : nullptr;
   Names names = command_names(app);
   const bool help = words.size() == 2 && std::string_view(words[0]) == "help";
@@ -326,10 +341,13 @@ std::string completions(const CLI::App& app, std::span<char*> words) {
     names.emplace_back("help");
   if (command) {
     names = command_names(*command);
-    const std::string before = words[words.size() - 2];
     const CLI::Option* option =
         before.starts_with("--") ? command->get_option_no_throw(before) : nullptr;
-    std::string asked = option && option->get_items_expected_min() > 0 ? before : "";
+    const bool takes = option && (joined ? option->get_items_expected_max() > 0
+                                         : option->get_items_expected_min() > 0);
+    if (joined && !takes)
+      return "";
+    std::string asked = takes ? before : "";
     if (asked.empty() && begun.starts_with('-')) {
       for (const CLI::Option* one : command->get_options())
         if (!one->get_positional())
@@ -351,7 +369,7 @@ std::string completions(const CLI::App& app, std::span<char*> words) {
   std::string text;
   for (const std::string& name : names)
     if (name.starts_with(begun))
-      text += printable(name) + "\n";
+      text += kept + printable(name) + "\n";
   return text;
 }
 

@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 40;
 /// What YAML and trees take for something else.
-constexpr std::array<std::string_view, 9> kReserved{"null", "true", "false", "yes", "no",
-                                                    "on",   "off",  "any",   "tree"};
+constexpr std::array<std::string_view, 10> kReserved{"null", "true", "false", "yes",  "no",
+                                                     "on",   "off",  "any",   "tree", "parameters"};
 
 /// "Break Turn-2" -> "break_turn_2": a name that may be used, or "" if nothing is left of it.
 std::string usable(std::string_view wanted) {

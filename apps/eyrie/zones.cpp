@@ -3,14 +3,17 @@
 /// zones of everybody's own missiles are kept between runs.
 #include <unistd.h>
 
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <mutex>
 #include <thread>
 
 #include "command.hpp"
 #include "commands.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "locate.hpp"
 #include "model/weapon/kept_zones.hpp"
@@ -146,14 +149,8 @@ std::string drawing(const model::MissileType& type, double altitude, double spee
   svg += fmt::format(
       "<text x=\"12\" y=\"{}\" fill=\"black\">{}: both at {:.0f} m and {:.0f} m/s, shooter points "
       "at the target, which flies up</text>\n</svg>\n",
-      kSize - 12, type.label, altitude, speed);
+      kSize - 12, xml_text(type.label), altitude, speed);
   return svg;
-}
-
-void write(const fs::path& path, const std::string& bytes, bool replace) {
-  disk::OutputFile file(path.string(), replace);
-  file.sink().write(bytes);
-  finish(file);
 }
 
 /// What the zones were flown for; beyond, they are those of the nearest end.
@@ -181,23 +178,32 @@ void keep_zones() {
 
 int zones(const ZonesOptions& options) {
   scenario::Source source = scenario::Source::disk(home());
-  const std::vector<std::string> names =
-      options.missiles.empty() ? source.data_names("missiles") : options.missiles;
+  const double altitude = in_table("--altitude", options.altitude, Dimension::length,
+                                   weapon::kLowestZone, weapon::kHighestZone);
+  const double speed = in_table("--speed", options.speed, Dimension::speed, weapon::kSlowestZone,
+                                weapon::kFastestZone);
+  // whatever is a mistake is found before anything is written
+  std::map<std::string, model::MissileType> types;
+  for (const std::string& name :
+       options.missiles.empty() ? source.data_names("missiles") : options.missiles)
+    if (!types.contains(name))
+      types.emplace(name, loaded(name, source));
   listen_for_interrupts();
+  if (options.draw) {
+    std::deque<disk::OutputFile> files;
+    for (const auto& [name, type] : types)
+      files.emplace_back(fs::path(options.out) / (name + ".svg"), options.force)
+          .sink()
+          .write(drawing(type, altitude, speed));
+    for (disk::OutputFile& file : files)
+      finish(file);
+    return 0;
+  }
   int stale = 0;
-  for (const std::string& name : names) {
-    const model::MissileType type = loaded(name, source);
-    if (options.draw) {
-      const double altitude = in_table("--altitude", options.altitude, Dimension::length,
-                                       weapon::kLowestZone, weapon::kHighestZone);
-      const double speed = in_table("--speed", options.speed, Dimension::speed,
-                                    weapon::kSlowestZone, weapon::kFastestZone);
-      write(fs::path(options.out) / (name + ".svg"), drawing(type, altitude, speed), options.force);
-      continue;
-    }
+  for (const auto& [name, type] : types) {
     const fs::path path = fs::path(home()) / "data" / "zones" / (name + ".zone");
-    const std::string file = model::weapon::kept_zones().encode(std::span(&type, 1));
-    if (contents(path) == file) {
+    const std::string bytes = model::weapon::kept_zones().encode(std::span(&type, 1));
+    if (contents(path) == bytes) {
       say("{}: up to date\n", path.string());
     } else if (options.check) {
       say("{}: stale, 'eyrie zones {}' makes it anew\n", path.string(), name);
@@ -205,7 +211,9 @@ int zones(const ZonesOptions& options) {
     } else {
       std::error_code failed;
       fs::create_directories(path.parent_path(), failed);
-      write(path, file, true);
+      disk::OutputFile file(path.string(), true);
+      file.sink().write(bytes);
+      finish(file);
     }
     if (interrupted())
       break;

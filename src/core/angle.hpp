@@ -44,10 +44,10 @@ template <std::size_t N>
   return turned < 0 || turned >= kTau ? 0 : turned;
 }
 
-/// deg, to a tenth, from 0 to 359.9, as files have it.
-[[nodiscard]] inline double heading_degrees(double heading) {
-  const double tenths = std::floor(degrees(wrap_tau(heading)) * 10 + 0.5);
-  return tenths < 3600 ? tenths / 10 : 0;
+/// deg, to so many parts of one, from 0 to below 360, as files have it.
+[[nodiscard]] inline double heading_degrees(double heading, double parts) {
+  const double turned = std::floor(degrees(wrap_tau(heading)) * parts + 0.5);
+  return turned < 360 * parts ? turned / parts : 0;
 }
 
 /// The signed shortest turn that leads from one heading to another, in (-pi, pi]; positive is

@@ -39,6 +39,13 @@ std::string to_small(std::string text) {
   return text;
 }
 
+std::string xml_text(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  return result;
+}
+
 Utf8 first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) -> char32_t {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;

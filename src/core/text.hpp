@@ -33,6 +33,9 @@ namespace eyrie {
 /// With small letters in place of capitals.
 [[nodiscard]] std::string to_small(std::string text);
 
+/// As XML writes it between tags.
+[[nodiscard]] std::string xml_text(std::string_view text);
+
 /// Without blanks and tabs around it.
 [[nodiscard]] constexpr std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");

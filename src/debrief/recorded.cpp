@@ -303,6 +303,12 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
                           left.file, right.file);
     return std::nullopt;
   }
+  const double steps = scenario.simulation->dt(), its_steps = right.scenario->simulation->dt();
+  if (steps != its_steps) {
+    problem = fmt::format("{} has steps of {:.4g} ms and {} of {:.4g} ms: they cannot be compared",
+                          left.file, steps * 1e3, right.file, its_steps * 1e3);
+    return std::nullopt;
+  }
   const scenario::Roster &mine = scenario.roster, &its = right.scenario->roster;
   for (PlayerId who{1}; mine.find(who) || its.find(who); ++who.value)
     if (mine.name(who) != its.name(who)) {

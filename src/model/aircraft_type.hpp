@@ -4,6 +4,7 @@
 #include "model/entity_type.hpp"
 #include "model/flight/airframe.hpp"
 #include "model/signature.hpp"
+#include "model/weapon/stores.hpp"
 
 namespace eyrie::model {
 
@@ -66,7 +67,8 @@ struct AircraftType {
               "in the drum of its gun, where that is not what the gun's type says"),
         param("dispenser", &A::dispenser, "its dispenser of chaff, flares and towed decoys"),
         param("jammer", &A::jammer, "its jammer"),
-        param("stations", &A::stations, "what hangs under it, station by station")};
+        param("stations", &A::stations, "what hangs under it, station by station")
+            .items(0, weapon::kMaxStations)};
   }
 };
 

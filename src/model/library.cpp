@@ -38,6 +38,18 @@ std::vector<LibraryProblem> problems_of(const Library& library, double dt) {
     if (library.jammers[i].power <= 0 && !library.jammers[i].pull_off)
       problems.push_back({"jammers", library.jammers.name(i), "power",
                           "it radiates neither noise nor false echoes (pull_off)"});
+  for (std::size_t i = 0; i < library.aircraft.size(); ++i) {
+    const auto& index = library.aircraft[i].index;
+    if (index.jammer && library.jammers[*index.jammer].when_tracked && !index.rwr)
+      problems.push_back({"aircraft", library.aircraft.name(i), "jammer",
+                          "it radiates when it is tracked (when_tracked), which nobody without a "
+                          "warning receiver (rwr) knows"});
+  }
+  for (std::size_t i = 0; i < library.missiles.size(); ++i)
+    if (library.missiles[i].locks_before_launch() && library.missiles[i].guidance.loft)
+      problems.push_back(
+          {"missiles", library.missiles.name(i), "guidance.loft",
+           "an infrared missile flies by its seeker from the start: it never lofts"});
   const auto name = [&](std::string_view kind, const auto& shelf, std::string_view parameter,
                         auto text, auto parsed, std::string_view wanted) {
     for (std::size_t i = 0; i < shelf.size(); ++i)

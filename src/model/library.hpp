@@ -97,7 +97,7 @@ struct LibraryProblem {
 };
 
 /// Of every model on the shelves, flown or not, in steps of `dt` seconds: rates that are no whole
-/// number of steps, datalinks slower than their ring, and jammers that do nothing.
+/// number of steps, datalinks slower than their ring, and what would do nothing.
 [[nodiscard]] std::vector<LibraryProblem> problems_of(const Library& library, double dt);
 
 }  // namespace eyrie::model

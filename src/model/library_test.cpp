@@ -80,6 +80,28 @@ TEST(ProblemsOf, NamesEachModelWhoseRateDoesNotDivideTheStepOrThatDoesNothing) {
   EXPECT_EQ(problems[3].model, "dead");
 }
 
+TEST(ProblemsOf, NamesWhatWouldDoNothing) {
+  Library library;
+  library.jammers.add("careful", {.power = 1, .when_tracked = true});
+  library.rwrs.add("ears", {});
+  AircraftType deaf{.label = "deaf"}, hearing{.label = "hearing"};
+  deaf.index.jammer = hearing.index.jammer = 0;
+  hearing.index.rwr = 0;
+  library.aircraft.add("deaf", deaf);
+  library.aircraft.add("hearing", hearing);
+  MissileType seeing;
+  seeing.seeker.kind = weapon::SeekerKind::infrared;
+  library.missiles.add("flat", seeing);
+  seeing.guidance.loft.emplace();
+  library.missiles.add("lofting", seeing);
+  const auto problems = problems_of(library, 0.02);
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].model, "deaf");
+  EXPECT_EQ(problems[0].parameter, "jammer");
+  EXPECT_EQ(problems[1].model, "lofting");
+  EXPECT_EQ(problems[1].parameter, "guidance.loft");
+}
+
 TEST(ProblemsOf, NamesEachTypeWhoseNumberOtherSimulationsCannotRead) {
   Library library;
   library.aircraft.add("good", {.label = "F-15C", .entity_type = "1.2.225.1.5.3"});

@@ -45,6 +45,7 @@ struct Cockpit {
   const model::Flying& flying;
   const model::Stores& stores;
   const model::GunState& gun;
+  const model::Decoys& decoys;
   const model::TrackFile& tracks;
   const model::RwrState& rwr;
   const model::Threats& threats;
@@ -54,7 +55,7 @@ struct Cockpit {
 
   static constexpr auto columns() {
     using C = model::AircraftColumns;
-    return Lines{&C::kinematics, &C::propulsion, &C::flying,  &C::stores,   &C::gun,
+    return Lines{&C::kinematics, &C::propulsion, &C::flying,  &C::stores,   &C::gun,    &C::decoys,
                  &C::tracks,     &C::rwr,        &C::threats, &C::datalink, &C::command};
   }
 };

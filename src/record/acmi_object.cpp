@@ -161,7 +161,7 @@ void AcmiObject::line(const AcmiSample& s, const Reference& reference, std::stri
                  rounded(at.altitude, 2),
                  rounded(degrees(s.pose.roll), 1),
                  rounded(degrees(s.pose.pitch), 1),
-                 rounded(heading_degrees(s.pose.heading), 1)};
+                 rounded(heading_degrees(s.pose.heading, 10), 1)};
   if (s.speed >= 0)
     follow(told_.speed, s.speed, kSpeedStep);
   if (s.mach > 0) {

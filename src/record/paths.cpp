@@ -20,13 +20,14 @@ void Paths::keep(std::uint32_t id) {
   path.points.push_back({last.seen, scenario_.library->reference.to_geodetic(last.position)});
 }
 
-void Paths::halve(Path& path, Last& last) const {
+void Paths::halve(Path& path, Last& last) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < path.points.size(); i += 2)
     path.points[kept++] = path.points[i];
   path.points.resize(kept);
   const std::uint64_t every = path.kind == "missile" ? missiles_every_ : players_every_;
   last.pause = 2 * std::max(last.pause, static_cast<double>(every) * dt_);
+  widest_pause_ = std::max(widest_pause_, last.pause);
 }
 
 void Paths::see(PlayerId id, const Vec3& position, bool keep_it) {
@@ -92,7 +93,7 @@ void Paths::happened(const sim::Event& e) {
   if (at == all_.end() || !at->second.end.empty())
     return;
   at->second.end = fate->end;
-  if (fate->who == e.who && norm(e.place) > 0) {  // else he was last seen a step ago
+  if (norm(e.place) > 0) {  // else he was last seen a step ago
     last_[fate->who.value].position = e.place;
     last_[fate->who.value].seen = time_;
   }
@@ -357,7 +358,7 @@ std::string geojson(const Paths& paths) {
                    {"side", scenario::side_name(path.side)},
                    {"begin", date(path.points.back().time)},
                    {"end", date(paths.end_time())},
-                   {"time_s", path.points.back().time}}));
+                   {"time_s", std::round(path.points.back().time * 100) / 100}}));
   }
   return json_text(ordered_json{{"type", "FeatureCollection"}, {"features", std::move(features)}}) +
          "\n";

@@ -55,6 +55,8 @@ class Paths final : public sim::Observer {
   [[nodiscard]] const std::map<std::uint32_t, Path>& all() const { return all_; }
   /// s
   [[nodiscard]] double end_time() const { return time_; }
+  /// s, between the fixes of the longest path that came to `most` of them; 0 if none did.
+  [[nodiscard]] double widest_pause() const { return widest_pause_; }
 
  private:
   struct Last {
@@ -67,12 +69,12 @@ class Paths final : public sim::Observer {
   void look(const sim::World& world, bool players, bool missiles);
   void see(PlayerId id, const Vec3& position, bool keep);
   void keep(std::uint32_t id);
-  void halve(Path& path, Last& last) const;
+  void halve(Path& path, Last& last);
   void happened(const sim::Event& event);
 
   const scenario::Scenario& scenario_;
   std::size_t most_;
-  double time_ = 0, dt_ = 0;
+  double time_ = 0, dt_ = 0, widest_pause_ = 0;
   std::uint64_t players_every_ = 50, missiles_every_ = 10;
   std::map<std::uint32_t, Path> all_;
   std::map<std::uint32_t, Last> last_;

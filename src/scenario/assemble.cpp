@@ -86,7 +86,9 @@ void park(const Scenario& scenario, std::span<const VehicleStart> starts, sim::W
                               .flight = player.flight,
                               .rank = static_cast<std::uint8_t>(player.rank),
                               .side = player.side};
-    world.rows(c.command)[row] = {.heading = wrap_pi(s.heading), .speed = s.tree ? s.speed : 0};
+    // until the tree says something, which it may never do: without a way there is nowhere to go
+    const bool goes = s.tree && !scenario.library->flights[player.flight].routes.empty();
+    world.rows(c.command)[row] = {.heading = wrap_pi(s.heading), .speed = goes ? s.speed : 0};
     world.rows(scenario.drivers.agent)[row] = {.tree = s.tree.value_or(team::kNoTree)};
   }
 }

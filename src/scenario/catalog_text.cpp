@@ -89,7 +89,8 @@ std::string example(const ubf::NodeInfo& node) {
       "verify: {bounds: {altitude: {min: 1000 ft}}, fallback: true, children: [navigate, "
       "follow_lead]}",
       "sequencer: {start: ingress, trees: {ingress: navigate, fight: pursue}, transitions: "
-      "[{from: ingress, to: fight, when: {hostile_track: {within: 40 nmi}}}]}"};
+      "[{from: ingress, to: fight, when: {hostile_track: {within: 40 nmi}}}]}",
+      "switch: {on: rank, cases: {1: navigate, 2: follow_lead}, default: navigate}"};
   for (const std::string_view own : kOwn)
     if (own.starts_with(node.name + ":"))
       return std::string(own);

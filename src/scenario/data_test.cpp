@@ -209,6 +209,16 @@ TEST(Data, RefusesMoreModelsThanAStationCanTellApart) {
             "s:1:1: data.missiles: 201 models; a scenario has at most 200 of a kind");
 }
 
+TEST(Data, RefusesMoreStationsThanAnAircraftMayHave) {
+  std::string stations;
+  for (int i = 0; i < 13; ++i)
+    stations += "{store: aim9}, ";
+  EXPECT_EQ(
+      Loading(Loading::shipped(), "aircraft: {truck: {base: f15c, stations: [" + stations + "]}}\n")
+          .mistakes(),
+      "s:1:42: stations: expected at most 12 items, got 13");
+}
+
 TEST(Data, ReadsModelsThatNobodyFlies) {
   EXPECT_EQ(
       Loading(Loading::shipped(), "radars: {mine: {base: apg63, gimbl: 50 deg}}\n").mistakes(),

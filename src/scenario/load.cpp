@@ -194,10 +194,10 @@ class Loader {
     if (!player.sound)
       return begin;
     const VehicleStartSpec& s = player.spec.start;
-    if (!s.heading) {
+    if (!s.heading && (player.own_place || player.rank == 1))  // the others have what the lead has
       diagnostics_.error(plan.start_where, "{}: start needs a heading", player.name);
+    if (!s.heading)
       return begin;
-    }
     begin.heading = *s.heading;
     begin.speed = s.speed.value_or(0);
     begin.position = resolve(s, 0, library_->reference, plan.start_where, diagnostics_);
@@ -289,7 +289,7 @@ class Loader {
     std::size_t station = 0;
     const auto hang = [&](const std::string& store, std::uint8_t count) {
       if (station >= model::kMaxStations)
-        return;
+        return;                                   // too many were told of
       constexpr std::size_t kMostMissiles = 254;  // 0 is an empty station, 255 any missile
       const auto missile = library_->missiles.find(store);
       if (missile && *missile >= kMostMissiles)

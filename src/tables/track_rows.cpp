@@ -16,7 +16,7 @@ TrackRow row_of(double time, const Reference& reference, const model::Kinematics
           place.altitude,
           degrees(place.latitude),
           degrees(place.longitude),
-          heading_degrees(k.heading),
+          heading_degrees(k.heading, 100),
           degrees(k.pitch),
           degrees(k.roll),
           k.speed,

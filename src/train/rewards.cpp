@@ -18,7 +18,7 @@ double near_one(double x, double low, double high) {
   return high > low ? std::clamp((high - x) / (high - low), 0.0, 1.0) : x <= low ? 1.0 : 0.0;
 }
 
-/// How many live of each side.
+/// How many are left of each side.
 struct Living {
   std::uint32_t own = 0, enemies = 0;
 };
@@ -78,7 +78,7 @@ Duel duel(const Kinematics& own, const Kinematics& other) {
 }
 
 double of_duel(const Reward& r, const Duel& d) {
-  const bool anywhere = r.high <= r.low && r.term != Term::closeness;
+  const bool anywhere = r.high == 0 && r.term != Term::closeness;
   const double within = anywhere ? 1 : near_one(d.range, r.low, r.high);
   switch (r.term) {
     case Term::nose_on:
@@ -97,21 +97,20 @@ double of_duel(const Reward& r, const Duel& d) {
 }  // namespace
 
 void note(const sim::Event& e, PlayerId who, const scenario::Roster& roster, Merit& merit) {
+  const auto at_enemy = [&] {
+    const auto *own = roster.find(who), *whom = roster.find(e.whom);
+    return e.who == who && own && whom && own->side != whom->side;
+  };
   switch (e.kind.as<model::EventKind>()) {
-    case model::EventKind::kill: {
-      const auto *own = roster.find(who), *whom = roster.find(e.whom);
-      merit.kills += e.who == who && own && whom && own->side != whom->side ? 1 : 0;
+    case model::EventKind::kill:
+      merit.kills += at_enemy() ? 1 : 0;
       break;
-    }
     case model::EventKind::hit:
-      merit.hits += e.who == who ? 1 : 0;
+      merit.hits += at_enemy() ? 1 : 0;
       merit.hits_by += e.whom == who ? 1 : 0;
       break;
     case model::EventKind::launch:
       merit.launches += e.detail == who.value ? 1 : 0;
-      break;
-    case model::EventKind::gun_burst:
-      merit.rounds += e.who == who ? e.values[0] : 0;
       break;
     case model::EventKind::home:
       merit.home |= e.who == who;
@@ -159,7 +158,7 @@ double reward(std::span<const Reward> terms, const scenario::Scenario& scenario,
         sum += r.weight * merit.launches;
         break;
       case Term::rounds:
-        sum += r.weight * static_cast<double>(merit.rounds);
+        sum += r.weight * merit.rounds;
         break;
       case Term::alive:
         sum += own ? r.weight * seconds : 0;

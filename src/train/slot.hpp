@@ -21,6 +21,7 @@ struct VectorEnv::Slot {
   struct Agent {
     bool alive = true, was_alive = true;
     Merit merit;
+    std::uint32_t rounds = 0;  ///< in the drum
     std::vector<float> votes;  ///< as ordered last; negative: none was
   };
 

@@ -10,7 +10,7 @@ namespace eyrie::train {
 /// a second, and the term is in [0, 1] or [-1, 1]. The enemy is the nearest one that lives. Unlike
 /// what is observed, these are the truth.
 enum class Term : std::uint8_t {
-  win,        ///< the episode is over, no enemy lives, somebody of the own side does
+  win,        ///< the episode is over, no enemy is left, somebody of the own side is
   loss,       ///< over, somebody of the other side lives, nobody of the own
   draw,       ///< over, otherwise
   kill,       ///< an enemy is killed by the learner
@@ -84,7 +84,7 @@ struct Merit {
   bool home = false;        ///< not alive because it came home
   std::uint32_t kills = 0;  ///< of enemies
   std::uint32_t hits = 0, hits_by = 0, launches = 0;
-  float rounds = 0;
+  std::uint32_t rounds = 0;  ///< by what is left in the drum: a burst may end later, or never
 };
 
 /// Notes in `merit` what an event means for a player.

@@ -64,11 +64,19 @@ void VectorEnv::begin(Slot& slot, std::uint64_t seed) const {
   slot.any_home = false;
   slot.fault.reset();
   slot.orders.clear();
-  for (Slot::Agent& agent : slot.agents) {
+  for (std::size_t i = 0; i < slot.agents.size(); ++i) {
+    Slot::Agent& agent = slot.agents[i];
     agent.alive = true;
     agent.merit = {};
+    agent.rounds = rounds_of(slot.world, i).value_or(0);
     std::ranges::fill(agent.votes, -1.0F);
   }
+}
+
+std::optional<std::uint32_t> VectorEnv::rounds_of(const sim::World& world,
+                                                  std::size_t agent) const {
+  const auto row = world.row(scenario_->aircraft.table, learners_[agent].id);
+  return row ? std::optional(world.rows(scenario_->aircraft.gun)[*row].rounds) : std::nullopt;
 }
 
 void VectorEnv::end(Slot& slot) const {
@@ -213,10 +221,12 @@ void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) const {
   const std::size_t first = env * shape_.agents;
   for (std::size_t agent = 0; agent < shape_.agents; ++agent) {
     Slot::Agent& one = slot.agents[agent];
+    const auto rounds = rounds_of(slot.world, agent);
     one.was_alive = one.alive;
-    one.alive =
-        one.alive && slot.world.row(scenario_->aircraft.table, learners_[agent].id).has_value();
+    one.alive = one.alive && rounds;
     one.merit.alive = one.alive;
+    one.merit.rounds = one.rounds - rounds.value_or(one.rounds);
+    one.rounds -= one.merit.rounds;
     any |= one.alive;
   }
   if (slot.fault) [[unlikely]]

@@ -124,6 +124,9 @@ class VectorEnv {
   void check(const Arrays& out) const;
   void check_actions(std::span<const float> actions) const;
   void begin(Slot& slot, std::uint64_t seed) const;
+  /// Left in the drum of a learner; nothing once he is gone.
+  [[nodiscard]] std::optional<std::uint32_t> rounds_of(const sim::World& world,
+                                                       std::size_t agent) const;
   void end(Slot& slot) const;
   [[nodiscard]] std::uint64_t next_seed(std::size_t env) const;
   void command(Slot& slot, std::size_t agent, const float* action,

@@ -176,6 +176,16 @@ TEST(RunDifference, RefusesWorldsOfOtherTables) {
   EXPECT_NE(problem.find("other tables"), std::string::npos);
 }
 
+TEST(RunDifference, RefusesStepsOfAnotherLength) {
+  std::string problem;
+  const auto at = [](const char* rate) {
+    return recorded_flight("merge", 1, 8,
+                           {std::string("rates={kinematics: ") + rate + ", decisions: 10 Hz}"});
+  };
+  EXPECT_FALSE(compare(at("50 Hz"), at("100 Hz"), problem));
+  EXPECT_EQ(problem, "merge has steps of 20 ms and merge of 10 ms: they cannot be compared");
+}
+
 TEST(RunDifference, ComparesTreesThatRememberOtherThings) {
   const Recorded run = recorded_text(kSmallScenario, 2);
   const Recorded other = recorded_text(

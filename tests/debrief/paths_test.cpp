@@ -51,8 +51,8 @@ struct Places : sim::Observer {
                std::span<const sim::Event> events) override {
     const double time = info.time_after();
     for (const sim::Event& e : events)
-      if (const auto fate = fate_of(e); fate && fate->who == e.who)
-        all[{e.who.value, time}] = e.place;
+      if (const auto fate = fate_of(e); fate && norm(e.place) > 0)
+        all[{fate->who.value, time}] = e.place;
     scenario.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
       all[{id.value, time}] = fleet.motion(world, row).position;
     });

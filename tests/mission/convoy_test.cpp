@@ -96,6 +96,13 @@ TEST(Convoy, DrivesAloneAndTheRunEndsWhenItHasArrived) {
   EXPECT_TRUE(f.log.of(EventKind::scatter).empty());
 }
 
+TEST(Convoy, WithoutAWayStops) {
+  Flight f(load_scenario("convoy", {"blue.convoys.supply.route=[]"}));
+  f.fly_until(60);
+  for (const char* name : {"supply1", "supply5"})
+    EXPECT_EQ(vehicle(f, name).speed, 0) << name;
+}
+
 TEST(Convoy, IsSwappedToAnotherTreeByAnOrder) {
   Flight f(load_scenario("convoy", {"orders.0={at: 100 s, player: supply1, swap_tree: halt}",
                                     "trees.halt={navigate: {route: 1}}"}));

@@ -81,6 +81,13 @@ TEST(ZonesProgram, MakesAndChecksAndDraws) {
   EXPECT_EQ(run_program(folder, {"zones", "aim9", "--draw", "--force"}, home.options()).code, 0);
   EXPECT_NE(read_text(folder / "aim9.svg"), "kept");
 
+  // nothing is written of what is wrong in part
+  EXPECT_EQ(run_program(folder, {"zones", "r73", "aim9", "--draw"}, home.options()).code, 2);
+  EXPECT_EQ(run_program(folder, {"zones", "r73", "r37", "--draw"}, home.options()).code, 2);
+  EXPECT_FALSE(fs::exists(folder / "r73.svg"));
+  const Ran twice = run_program(folder, {"zones", "r73", "r73", "--draw"}, home.options());
+  EXPECT_EQ(twice.code, 0) << twice.err;
+
   const Ran wrong = run_program(folder, {"zones", "aim10"}, home.options());
   EXPECT_EQ(wrong.code, 2);
   EXPECT_NE(wrong.err.find("did you mean"), std::string::npos) << wrong.err;

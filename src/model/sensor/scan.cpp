@@ -31,27 +31,28 @@ Contact contact_with(const Scene& scene, const Self& self, std::size_t j, RadarM
 
 /// Who jams a radar, and how loud.
 struct Jam {
-  Vec3 unit{};       ///< from the antenna
-  double noise = 0;  ///< in the middle of the beam, over the receiver's own
-  std::uint32_t row = 0;
+  Vec3 sight;    ///< m, from the antenna
+  Vec3 unit;     ///< along it
+  double noise;  ///< in the middle of the beam, over the receiver's own
+  std::uint32_t row;
 };
 
-/// All of them, as one radar hears them now; the first eight if there are more.
+/// All of them, as one radar hears them now; the 32 loudest if there are more.
 class Jamming {
  public:
   Jamming(const Scene& scene, const Self& self) : radar_(*self.suite.radar) {
     if (scene.library.jammers.size() == 0)
       return;
     const Kinematics& own = self.kinematics;
-    for (std::uint32_t j = 0; j < scene.emission.size() && count_ < items_.size(); ++j) {
+    for (std::uint32_t j = 0; j < scene.emission.size(); ++j) {
       const Emission& emission = scene.emission[j];
       if (emission.jamming <= 0 || emission.side == self.fit.side || j == self.row)
         continue;
       const Vec3 sight = scene.kinematics[j].position - own.position;
       const double range2 = std::max(norm2(sight), 1.0), range = std::sqrt(range2);
       if (range <= horizon_range(own.altitude, scene.kinematics[j].altitude, kRadioEarth))
-        items_[count_++] = {sight / range,
-                            jamming_to_noise(emission.jamming, radar_.beam_width, range2), j};
+        add({sight, sight / range, jamming_to_noise(emission.jamming, radar_.beam_width, range2),
+             j});
     }
   }
   /// Noise over the receiver's own while the beam points along `sight` (m).
@@ -72,7 +73,18 @@ class Jamming {
   }
 
  private:
-  std::array<Jam, 8> items_;
+  void add(const Jam& jam) {
+    if (count_ == items_.size()) {
+      const auto quietest = std::ranges::min_element(items_, {}, &Jam::noise);
+      if (jam.noise <= quietest->noise)
+        return;
+      std::move(quietest + 1, items_.end(), quietest);
+      --count_;
+    }
+    items_[count_++] = jam;
+  }
+
+  std::array<Jam, 32> items_;
   std::size_t count_ = 0;
   const Radar& radar_;
 };
@@ -256,10 +268,11 @@ void scan(const Scene& scene, Self& self) {
   for (const Candidate& c : found.items())
     contacts[count++] = contact_with(scene, self, c.row, RadarMode::search, c.strength, level);
 
-  // who jams and was not seen through his noise gives a direction
+  // who jams within the scale and was not seen through his noise gives a direction
   for (const Jam& jam : looking.jamming.items()) {
     const auto known = [&](const Candidate& c) { return c.row == jam.row; };
-    if (jam.noise > kStrobe && count < contacts.size() && covers(antenna, jam.unit, 1) &&
+    if (jam.noise > kStrobe && count < contacts.size() &&
+        covers(antenna, jam.sight, norm2(jam.sight)) &&
         std::none_of(found.items().begin(), found.items().end(), known))
       contacts[count++] =
           strobe(contact_with(scene, self, jam.row, RadarMode::search, jam.noise, level),

@@ -77,6 +77,41 @@ TEST(JammedRadar, LooksThroughItsSideLobesAtAJammerBesideTheTarget) {
   }
 }
 
+TEST(JammedRadar, ShowsNobodyBeyondItsScale) {
+  for (const double scale : {20.0, 60.0}) {
+    JammedWar war(47 * kMile);
+    Radar radar = war.models.radars[0];
+    radar.instrumented_range = scale * kMile;
+    war.models.radars = {};
+    war.models.radars.add("radar", radar);
+    war.build();
+    war.give_jammer(war.bogey);
+    war.fly(60);
+    EXPECT_EQ(war.track_of(war.eagle, war.bogey) != nullptr, scale > 47) << scale;
+  }
+}
+
+TEST(JammedRadar, HearsTheLoudestOfMoreThanItCanTellApart) {
+  // the one that matters is born before 40 faint ones, or behind them
+  for (const bool last : {false, true}) {
+    std::vector<PlayerId> ids(41);
+    std::vector<PlayerId*> others;
+    for (PlayerId& id : ids)
+      others.push_back(&id);
+    JammedWar war(75 * kMile, others);
+    AircraftType faint = war.models.aircraft[0], strong = faint;
+    faint.index.jammer = war.models.jammers.add("faint", {.power = 1e-6, .bandwidth = 500e6});
+    strong.index.jammer = war.models.jammers.add("strong", {.power = 1e7, .bandwidth = 500e6});
+    war.models.aircraft.add("faint", faint);
+    war.models.aircraft.add("strong", strong);
+    war.build();
+    for (const PlayerId id : ids)
+      war.row(war.aircraft.fit, id).type = id == (last ? ids.back() : ids.front()) ? 3 : 2;
+    war.fly(60);
+    EXPECT_EQ(war.track_of(war.eagle, war.bogey), nullptr) << last;
+  }
+}
+
 TEST(JammedRadar, IsNotJammedByItsOwnSide) {
   JammedWar war(40 * kMile);
   war.build();

@@ -111,7 +111,7 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
     else if (locks && age - last_seen > type.seeker.memory)
       break;
     if (age >= type.guidance.separation_time && follows) {
-      if (const auto& loft = type.guidance.loft) {
+      if (const auto& loft = type.guidance.loft; loft && !homing) {
         const Vec3 aim = lofted(*loft, apart, kDown, -missile.position.z);
         wanted = steer(type.guidance, line_of_sight(aim, drift), missile.velocity, kDown);
       } else {

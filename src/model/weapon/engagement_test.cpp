@@ -94,6 +94,17 @@ TEST(Engagement, ClimbsWhenItLofts) {
   EXPECT_GT(lofted.speed, flat.speed);
 }
 
+TEST(Engagement, LoftsNoMissileThatHomes) {
+  MissileType seeing = medium_range(), direct = medium_range();
+  seeing.guidance.loft->end_range = 1e3;
+  seeing.guidance.loft->angle = radians(30);
+  direct.guidance.loft.reset();
+  // 10 km: the seeker sees it from the start
+  const Engagement near{.situation = shooting_level(8000, 0), .range = 10e3};
+  EXPECT_EQ(engage(seeing, kAtmosphere, near).greatest_altitude,
+            engage(direct, kAtmosphere, near).greatest_altitude);
+}
+
 TEST(Engagement, FliesAlmostTheSameInLongSteps) {
   Engagement e{.situation = shooting_level(9000, 0.4), .range = 35e3};
   const EngagementResult coarse = engage(medium_range(), kAtmosphere, e);

@@ -40,6 +40,7 @@ namespace {
 /// 1 - exp(-x) for x >= 0 by its (1,2) Pade form: within 3e-5 below 0.4, never beyond 1. How much
 /// of the way to its input a first-order lag goes in one step.
 double lag_share(double x) {
+  x = std::min(x, 1e6);  // whose square is a number
   return (x + x * x / 6) / (1 + x * (2.0 / 3) + x * x / 6);
 }
 

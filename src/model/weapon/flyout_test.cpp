@@ -25,6 +25,14 @@ TEST(LineOfSight, OfAHeadOnTargetClosesAndDoesNotTurn) {
   EXPECT_EQ(los.rate, Vec3{});
 }
 
+TEST(Autopilot, MayAnswerAtOnce) {
+  MissileType type;
+  type.guidance.autopilot_lag = 1e-200;
+  Flyout missile{.position = {0, 0, -8000}, .velocity = {900, 0, 0}};
+  fly(type, Atmosphere{}.at(8000), {}, {0, 0, 1}, 60, 0.02, {0, 50, 0}, missile);
+  EXPECT_NEAR(missile.lift.y, 50, 1e-3);
+}
+
 TEST(LineOfSight, AtNoDistanceTurnsNowhere) {
   const LineOfSight los = line_of_sight({}, {300, 0, 0});
   EXPECT_EQ(los.rate, Vec3{});

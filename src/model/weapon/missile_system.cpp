@@ -10,8 +10,14 @@ namespace eyrie::model::weapon {
 
 namespace {
 
-/// m/s, no missile and no aircraft of this simulation close faster.
-constexpr double kFastestClosing = 4000;
+/// m/s, how fast a missile and an aircraft may close: twice what the motor gives is room for their
+/// own speeds where it gives 2 km/s or more, and less gives no more than 4 km/s.
+double fastest_closing(const Motor& motor) {
+  return std::max(2 * motor.total_impulse() / std::ranges::min(motor.mass.values()), 4000.0);
+}
+
+/// s, so long a fuze does not look at the aircraft that it was released from, which is where it is.
+constexpr double kLeaves = 1;
 
 std::uint32_t link_period(double interval, double dt) {
   return static_cast<std::uint32_t>(std::max(std::nearbyint(interval / dt), 1.0));
@@ -22,17 +28,20 @@ struct Victim {
   std::uint32_t row = 0;
   ClosestApproach nearest;
 };
-std::optional<Victim> fuze_scan(const Warhead& warhead, const Kinematics& k,
-                                std::span<const Kinematics> others, double time, double dt,
+std::optional<Victim> fuze_scan(const Warhead& warhead, double fastest, const Kinematics& k,
+                                const TargetScene& scene, double time, double dt,
                                 MissileState& state) {
+  const std::span<const Kinematics> others = scene.kinematics;
   std::optional<Victim> victim;
   double nearest_other = std::numeric_limits<double>::infinity();
   for (std::uint32_t row = 0; row < others.size(); ++row) {
     const Vec3 apart = others[row].position - k.position;
     const double distance2 = norm2(apart);
     nearest_other = std::min(nearest_other, distance2);
-    const double reach = warhead.fuze_range + kFastestClosing * dt;
+    const double reach = warhead.fuze_range + fastest * dt;
     if (distance2 > reach * reach)
+      continue;
+    if (scene.ids[row] == state.shooter && time - state.launch_time < kLeaves)
       continue;
     const Passage pass = passage(apart, others[row].velocity - k.velocity, dt);
     if (pass.passing && pass.nearest.distance <= warhead.fuze_range &&
@@ -41,7 +50,7 @@ std::optional<Victim> fuze_scan(const Warhead& warhead, const Kinematics& k,
   }
   // nobody can be here before: until then there is nothing to scan
   const double free = std::sqrt(nearest_other) - warhead.fuze_range;
-  state.next_fuze_scan = time + std::clamp(free / kFastestClosing - dt, 0.0, 3600.0);
+  state.next_fuze_scan = time + std::clamp(free / fastest - dt, 0.0, 3600.0);
   return victim;
 }
 
@@ -67,6 +76,7 @@ MissileSystem::MissileSystem(const AircraftColumns& aircraft, const MissileColum
     const sim::Period period = sim::period_steps(library_->missiles[i].seeker.look_rate, dt);
     EYRIE_THROW_UNLESS(period, "the look rate of a seeker does not divide the step rate");
     look_period_.push_back(period.steps);
+    fastest_closing_.push_back(fastest_closing(library_->missiles[i].motor));
   }
 }
 
@@ -189,7 +199,8 @@ void MissileSystem::interact(sim::World& world, const sim::StepInfo& info, sim::
 
     // fuze
     if (age >= type.warhead.arming_time && time >= state.next_fuze_scan)
-      if (const auto victim = fuze_scan(type.warhead, k, scene.kinematics, time, info.dt, state)) {
+      if (const auto victim = fuze_scan(type.warhead, fastest_closing_[state.type], k, scene, time,
+                                        info.dt, state)) {
         const PlayerId whom = scene.ids[victim->row];
         const double miss = victim->nearest.distance;
         const double pk = kill_probability(type.warhead, miss);

@@ -38,7 +38,7 @@ struct Duel {
 };
 
 /// A library whose warheads always kill and whose seekers measure without noise.
-Library certain() {
+Library certain(const std::function<void(MissileType&)>& change = [](MissileType&) {}) {
   Library library = Range::standard();
   Library result;
   for (std::size_t i = 0; i < library.missiles.size(); ++i) {
@@ -47,6 +47,7 @@ Library certain() {
     type.warhead.lethal_radius = 1e3;
     type.seeker.angle_noise = type.seeker.glint = 0;
     type.seeker.range_noise = type.seeker.closing_noise = 0;
+    change(type);
     result.missiles.add(library.missiles.name(i), type);
   }
   result.guns.add("gun", library.guns[0]);
@@ -79,6 +80,35 @@ TEST(MissileSystem, FliesAShotFromReleaseToKill) {
   EXPECT_EQ(kill.detail, launch.who.value);
   EXPECT_FALSE(range.alive(duel.red));
   EXPECT_EQ(range.in_flight(), 0u);
+}
+
+TEST(MissileSystem, DoesNotFuzeOnWhoHasJustReleasedIt) {
+  Duel duel(40e3, 1, certain([](MissileType& type) { type.warhead.arming_time = 0; }));
+  duel.range.shoot(duel.blue, duel.red, kMedium);
+  duel.run(0.1);
+  duel.range.hold_fire(duel.blue);
+  duel.run(60);
+  ASSERT_EQ(duel.range.count(E::detonation), 1U);
+  EXPECT_EQ(duel.range.all(E::detonation)[0].whom, duel.red);
+}
+
+TEST(MissileSystem, MeetsItsTargetHoweverFastItIs) {
+  Duel duel(40e3, 1, certain([](MissileType& type) {
+              type.warhead.fuze_range = 50;
+              type.motor.mass = Table1({0, 8}, {30, 10});
+              type.motor.thrust = Table1({0, 8}, {120e3, 120e3});
+            }));
+  duel.range.shoot(duel.blue, duel.red, kMedium);
+  duel.run(0.1);
+  duel.range.hold_fire(duel.blue);
+  double fastest = 0;
+  while (duel.range.count(E::detonation) + duel.range.count(E::timeout) == 0) {
+    duel.run(0.02);
+    if (duel.range.in_flight() > 0)
+      fastest = std::max(fastest, duel.missile_kinematics().speed);
+  }
+  EXPECT_GT(fastest, 5000);
+  EXPECT_EQ(duel.range.count(E::detonation), 1U);
 }
 
 TEST(MissileSystem, InheritsPlaceAndSpeedAndFallsClearOfTheAircraft) {

@@ -73,7 +73,7 @@ struct SeekerType {
         param("filter_time", &S::filter_time, "s", positive(60),
               "time constant of the filter behind the line-of-sight rate"),
         param("memory", &S::memory, "s", positive(600),
-              "destroys itself after seeing nothing for this long"),
+              "once it is on: destroys itself after seeing nothing for this long"),
         param("notch_speed", &S::notch_speed, "m/s", range(0, 1000),
               "radar, looking down: a target slower than this along the line of sight is clutter"),
         param(

@@ -57,6 +57,7 @@ class MissileSystem final : public sim::System {
   MissileColumns missiles_;
   std::shared_ptr<const Library> library_;
   std::vector<sim::Every> look_period_;  ///< per missile type
+  std::vector<double> fastest_closing_;  ///< m/s, likewise
 };
 
 /// One step of one missile through the air of `library`, and the vertical at its new place.

@@ -19,8 +19,10 @@ constexpr std::uint16_t kVertical = Manual::kClimb | Manual::kAltitude;
 constexpr bool always(const State&) {
   return true;
 }
+template <Dispense what>
 bool dispenses(const State& s) {
-  return s.type.index.dispenser.has_value();
+  return (what != Dispense::flares && s.decoys.chaff > 0) ||
+         (what != Dispense::chaff && s.decoys.flares > 0);
 }
 /// The missile that a release would take; nothing if none would reach.
 std::optional<std::uint16_t> store_to_release(const State& s) {
@@ -166,7 +168,7 @@ constexpr std::array kTypes = std::to_array<ControlType>({
      0,
      kChaff,
      dispense<Dispense::chaff>,
-     dispenses},
+     dispenses<Dispense::chaff>},
     {"flares",
      "throws out flares by the dispenser's program",
      {},
@@ -174,7 +176,7 @@ constexpr std::array kTypes = std::to_array<ControlType>({
      0,
      kFlares,
      dispense<Dispense::flares>,
-     dispenses},
+     dispenses<Dispense::flares>},
     {"dispense",
      "throws out both",
      {},
@@ -182,7 +184,7 @@ constexpr std::array kTypes = std::to_array<ControlType>({
      0,
      kChaff | kFlares,
      dispense<Dispense::both>,
-     dispenses},
+     dispenses<Dispense::both>},
 });
 
 constexpr auto kNames = [] {

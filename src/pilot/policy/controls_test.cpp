@@ -146,6 +146,17 @@ TEST(Controls, PressWhatThereIs) {
   EXPECT_EQ(b.radar, true);
   EXPECT_EQ(b.dispense, model::Dispense::flares);
   EXPECT_EQ(flown("dispense", {-1}, desk).dispense, std::nullopt);
+  const auto cartridges = [&] {
+    std::vector<std::uint8_t> all = mask("chaff\nflares", desk);
+    all.push_back(mask("dispense", desk)[0]);
+    return all;
+  };
+  desk.decoys.flares = 1;
+  EXPECT_EQ(cartridges(), (std::vector<std::uint8_t>{0, 1, 1}));
+  desk.decoys = {.chaff = 1};
+  EXPECT_EQ(cartridges(), (std::vector<std::uint8_t>{1, 0, 1}));
+  desk.decoys.chaff = 0;
+  EXPECT_EQ(cartridges(), (std::vector<std::uint8_t>{0, 0, 0}));
 }
 
 TEST(Controls, ReadBackTheirText) {

@@ -48,6 +48,7 @@ struct Desk {
   model::Stores stores =
       model::weapon::load_stores(library().aircraft[0].stations, library().missiles);
   model::GunState gun = model::weapon::loaded(library().guns[0]);
+  model::Decoys decoys;
   model::TrackFile tracks;
   model::RwrState rwr;
   model::Threats threats;
@@ -109,9 +110,9 @@ struct Desk {
   void lose(std::uint32_t rank) { datalink.members[rank - 1].alive = 0; }
 
   [[nodiscard]] State state() const {
-    return State(
-        {own, propulsion, flying, stores, gun, tracks, rwr, threats, datalink, command, agent},
-        *models, fit, formation, time);
+    return State({own, propulsion, flying, stores, gun, decoys, tracks, rwr, threats, datalink,
+                  command, agent},
+                 *models, fit, formation, time);
   }
 };
 
