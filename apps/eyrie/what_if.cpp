@@ -12,6 +12,7 @@
 #include "locate.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
+#include "scenario/path.hpp"
 #include "stats/sample.hpp"
 
 namespace eyrie::app {
@@ -180,6 +181,9 @@ int what_if(const WhatIfOptions& options) {
   const double from = first_shown(recorded, typed);
   const PlayerId who = decider_named(recorded.scenario->roster, options.player);
   demand_within(recorded, "--at", options.at, from);
+  for (const auto& [first, again] : scenario::set_twice(options.sets))
+    refuse("eyrie: --set {}: --set {} sets it, too", quote(options.sets[first]),
+           quote(options.sets[again]));
   Diagnostics wrong;
   auto overrides = debrief::read_overrides(*recorded.scenario, who, options.sets, wrong);
   check_parts(overrides.sets, options, *recorded.scenario, wrong);

@@ -31,13 +31,14 @@ Draw::Draw(std::uint64_t seed, PlayerId who, Stream stream, std::uint64_t step, 
 
 std::uint64_t Draw::bits() {
   if (left_ == 0) {
+    EYRIE_ASSERT(!used_up_);
     const philox4x32_ctr_t counter{{counter_[0], counter_[1], counter_[2], counter_[3]}};
     const philox4x32_key_t key{{key_[0], key_[1]}};
     const philox4x32_ctr_t out = philox4x32(counter, key);
     block_ = {out.v[2] | std::uint64_t{out.v[3]} << 32, out.v[0] | std::uint64_t{out.v[1]} << 32};
     left_ = 2;
     counter_[3] += kNextBlock;
-    EYRIE_ASSERT(counter_[3] >= kNextBlock);
+    used_up_ = counter_[3] < kNextBlock;
   }
   return block_[--left_];
 }

@@ -44,7 +44,10 @@ class Draw {
   /// In [0, 1), a multiple of 2^-53.
   [[nodiscard]] double uniform();
   /// In [low, high).
-  [[nodiscard]] double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  [[nodiscard]] double uniform(double low, double high) {
+    const double drawn = low + (high - low) * uniform();
+    return drawn < high ? drawn : low;  // not where rounding leads
+  }
   /// Mean 0, standard deviation 1 (Box-Muller with our own log and sin_cos); never beyond 8.6.
   [[nodiscard]] double normal();
   /// True with probability p; p <= 0 and NaN never, p >= 1 always.
@@ -57,6 +60,7 @@ class Draw {
   std::array<std::uint32_t, 2> key_;
   std::array<std::uint64_t, 2> block_{};
   std::uint32_t left_ = 0;  ///< unused words of block_
+  bool used_up_ = false;    ///< there is no block behind it
   bool has_spare_ = false;
   double spare_ = 0;  ///< the second normal number of a Box-Muller pair
 };

@@ -211,6 +211,22 @@ TEST(Draw, StaysInTheRangeAskedFor) {
   }
 }
 
+TEST(Draw, NeverGivesTheUpperEnd) {
+  Draw draw(1, PlayerId{1}, Stream::test, 0);
+  const double high = std::nextafter(1.0, 2.0);
+  for (int i = 0; i < 1000; ++i)
+    ASSERT_EQ(draw.uniform(1, high), 1);
+}
+
+TEST(Draw, GivesAllTheNumbersThatItHas) {
+  Draw draw(1, PlayerId{1}, Stream::test, 0);
+  double sum = 0;
+  for (int i = 0; i < 131'072; ++i)
+    sum += draw.uniform();
+  EXPECT_NEAR(sum / 131'072, 0.5, 0.005);
+  EXPECT_DEBUG_DEATH(static_cast<void>(draw.bits()), "");
+}
+
 TEST(Draw, AllocatesNothing) {
   NoAllocation guard;
   Draw draw(1, PlayerId{1}, Stream::test, 3);

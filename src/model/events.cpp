@@ -86,7 +86,7 @@ constexpr std::array kInfos = [] {
       {fuel_out, "fuel_out", "The tanks of who are empty."},
       {bingo,
        "bingo",
-       "who has no more fuel than it takes to come home.",
+       "who has no more fuel than the bingo of his flight, at which he is to go home.",
        {{{"fuel", "kg", "fuel_kg", C::number, "what is left"}}}},
       {winchester, "winchester", "who has no missile left."},
       {home, "home", "who is home and leaves the run."},

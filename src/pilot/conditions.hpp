@@ -12,7 +12,8 @@ namespace eyrie::pilot {
 
 struct Bingo final : Condition {
   static constexpr std::string_view type_name = "bingo";
-  static constexpr std::string_view help = "fuel is down to what the way home needs";
+  static constexpr std::string_view help =
+      "fuel is down to the pilot's bingo, at which he is to go home";
   [[nodiscard]] bool holds(const Tick& t) const override { return t.state.bingo(); }
 };
 

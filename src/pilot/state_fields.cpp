@@ -134,7 +134,7 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("excess_power", "m/s", "of climb at full power in straight flight",
            [](const State& s) { return double(s.flying.energy.excess_power); }),
     number("fuel", "kg", "own", [](const State& s) { return s.propulsion.fuel; }),
-    flag("bingo", "fuel is down to what the way home needs",
+    flag("bingo", "fuel is down to the pilot's bingo, at which he is to go home",
          [](const State& s) -> double { return s.bingo(); }),
     number(
         "missiles", "", "left on the stations",

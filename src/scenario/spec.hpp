@@ -104,7 +104,7 @@ struct PlayerSpec {
         param("fuel", &PlayerSpec::fuel, "kg", range(0, 100e3),
               "fuel at the start; not given: full tanks"),
         param("bingo", &PlayerSpec::bingo, "kg", range(0, 100e3),
-              "fuel at which the pilot goes home"),
+              "fuel at which the pilot goes home; not given: a quarter of what the tanks hold"),
         param("loadout", &PlayerSpec::loadout, "stores by name, one per station in order"),
         param("rounds", &PlayerSpec::rounds, range(0, 10e3),
               "gun rounds at the start; not given: what the gun holds"),

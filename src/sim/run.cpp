@@ -56,7 +56,7 @@ Run::Run(std::shared_ptr<const Simulation> simulation, World start, const RunOpt
 
 void Run::attach(Observer& observer) {
   observers_.push_back(&observer);
-  observer.begin(world_, simulation_->dt());
+  observer.begin(world(), simulation_->dt());
 }
 
 void Run::finish() {
@@ -67,9 +67,9 @@ void Run::finish() {
 std::string Run::submit(const Order& order) {
   if (simulation_->handler(order.kind) == nullptr)
     return fmt::format("nobody accepts orders of kind {}", order.kind.value);
-  if (order.step < world_.step())
+  if (order.step < world().step())
     return fmt::format("an order for step {} comes too late: step {} is next", order.step,
-                       world_.step());
+                       world().step());
   const auto after = std::upper_bound(orders_.begin(), orders_.end(), order.step, kLater);
   orders_.insert(after, order);
   return {};

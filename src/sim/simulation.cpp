@@ -51,6 +51,16 @@ const System* Simulation::handler(OrderKind kind) const {
 
 void Simulation::step(std::span<const Stepped> worlds) const {
   EYRIE_THROW_UNLESS(worlds.size() <= kMostTogether, "too many worlds are stepped together");
+  for (const Stepped& one : worlds) {
+    EYRIE_THROW_UNLESS(one.world && one.work, "a world or a workspace is missing");
+    EYRIE_THROW_UNLESS(&one.world->schema() == schema_.get(),
+                       "the world belongs to another simulation");
+    EYRIE_THROW_UNLESS(one.work->by_chunk_.size() >= chunks_,
+                       "the workspace was made for another simulation");
+    for (const Stepped* other = &one + 1; other < worlds.data() + worlds.size(); ++other)
+      EYRIE_THROW_UNLESS(other->world != one.world && other->work != one.work,
+                         "a world or a workspace is there twice");
+  }
   for (const Stepped& one : worlds)
     begin(one);
   run(Phase::perceive, &System::perceive, worlds);
@@ -71,9 +81,6 @@ void Simulation::step(std::span<const Stepped> worlds) const {
 void Simulation::begin(const Stepped& one) const {
   World& world = *one.world;
   Workspace& work = *one.work;
-  EYRIE_THROW_UNLESS(&world.schema() == schema_.get(), "the world belongs to another simulation");
-  EYRIE_THROW_UNLESS(work.by_chunk_.size() >= chunks_,
-                     "the workspace was made for another simulation");
   work.events_.clear();
   work.fault_.reset();
   for (const Order& order : one.orders) {
@@ -83,6 +90,8 @@ void Simulation::begin(const Stepped& one) const {
     if (work.check_) [[unlikely]]
       work.check_->begin(world);
     system->apply_order(world, info(world), order, work.events_);
+    if (failed(*system, one)) [[unlikely]]
+      return;
     if (work.check_) [[unlikely]]
       work.check_->end(world, *system, Phase::orders);
   }
@@ -192,18 +201,20 @@ void SimulationBuilder::add(std::unique_ptr<const System> system,
   const TableId table = system->table();
   EYRIE_THROW_UNLESS(table && table.value <= simulation_->schema_->tables().size(),
                      "a system needs a table of this schema");
-  for (std::size_t i = 0; i < kPhases; ++i)
-    if (phases[i])
-      simulation_->by_phase_[i].push_back({system.get(), table});
   for (const OrderKind kind : system->accepts()) {
     EYRIE_THROW_UNLESS(phases[index_of(Phase::orders)],
                        "a system that accepts orders must override apply_order");
+    EYRIE_THROW_UNLESS(simulation_->handler(kind) == nullptr,
+                       "two systems accept the same kind of order");
+  }
+  for (const OrderKind kind : system->accepts()) {
     auto& by_order = simulation_->by_order_;
     by_order.resize(std::max<std::size_t>(by_order.size(), kind.value + 1u), nullptr);
-    const System*& slot = by_order[kind.value];
-    EYRIE_THROW_UNLESS(slot == nullptr, "two systems accept the same kind of order");
-    slot = system.get();
+    by_order[kind.value] = system.get();
   }
+  for (std::size_t i = 0; i < kPhases; ++i)
+    if (phases[i])
+      simulation_->by_phase_[i].push_back({system.get(), table});
   simulation_->systems_.push_back(std::move(system));
 }
 

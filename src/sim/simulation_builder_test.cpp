@@ -105,6 +105,71 @@ TEST(SimulationBuilder, RefusesOrdersThatTwoAccept) {
   EXPECT_NE(complaint(2).find("two systems accept"), std::string::npos);
 }
 
+TEST(SimulationBuilder, KeepsNothingOfWhatItRefuses) {
+  SchemaBuilder schema;
+  const auto keys = Swarm::describe(schema, 1, 1);
+  SimulationBuilder builder(schema.build());
+  builder.add<swarm::Wings>(keys);
+  EXPECT_THROW(builder.add<swarm::Wings>(keys), std::logic_error);
+  const auto simulation = builder.build();
+  EXPECT_EQ(simulation->systems().size(), 1U);
+  World world = simulation->world(1);
+  ASSERT_TRUE(world.spawn(keys.birds));
+  Workspace work(*simulation);
+  simulation->step(world, work);
+  EXPECT_EQ(world.step(), 1U);
+}
+
+/// Cannot carry out what it is asked.
+class Unable final : public System {
+ public:
+  explicit Unable(TableId table) : table_(table) {}
+  std::string_view name() const override { return "unable"; }
+  TableId table() const override { return table_; }
+  std::span<const OrderKind> accepts() const override { return kKinds; }
+  void apply_order(World&, const StepInfo&, const Order&, Outbox& out) const override {
+    out.fail({.what = "bad order"});
+  }
+
+ private:
+  static constexpr std::array kKinds{OrderKind(1)};
+  TableId table_;
+};
+
+TEST(Step, IsNotMadeIfAnOrderCannotBeCarriedOut) {
+  SchemaBuilder schema;
+  const TableId nobody = schema.add_table("nobody", 1);
+  SimulationBuilder builder(schema.build());
+  builder.add<Unable>(nobody);
+  const auto simulation = builder.build();
+  World world = simulation->world(1);
+  Workspace work(*simulation);
+  const Order order{.step = 0, .kind = OrderKind(1)};
+  simulation->step(world, work, {&order, 1});
+  ASSERT_NE(work.fault(), nullptr);
+  EXPECT_EQ(work.fault()->system, "unable");
+  EXPECT_EQ(world.step(), 0U);
+  simulation->step(world, work);
+  EXPECT_EQ(work.fault(), nullptr) << "of the step before";
+  EXPECT_EQ(world.step(), 1U);
+}
+
+TEST(Step, OfSeveralWorldsRefusesAllOrNone) {
+  const Swarm one, other;
+  World a = one.world(3), b = other.world(3), c = one.world(3);
+  Workspace of_a(*one.simulation), of_b(*other.simulation), of_c(*one.simulation);
+  const std::uint64_t before = a.hash();
+  const auto refused = [&](std::initializer_list<Stepped> worlds) {
+    EXPECT_THROW(one.simulation->step(std::span(worlds.begin(), worlds.size())), std::logic_error);
+    EXPECT_EQ(a.hash(), before);
+  };
+  refused({{&a, &of_a}, {&b, &of_b}});
+  refused({{&a, &of_a}, {&a, &of_c}});
+  refused({{&a, &of_a}, {&c, &of_a}});
+  refused({{&a, &of_a}, {&c, nullptr}});
+  one.simulation->step(std::span<const Stepped>{});
+}
+
 TEST(SimulationBuilder, RefusesAStepWithoutLength) {
   SchemaBuilder schema;
   (void)schema.add_table("bird", 1);

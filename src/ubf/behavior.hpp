@@ -118,6 +118,8 @@ class Behavior : public AnyNode {
       if (t.mistake && t.mistake->node == kNone)
         *t.mistake = {index_, fmt::format("answers what means nothing: status is {}",
                                           static_cast<unsigned>(status))};
+      if (memory_end_ != memory_begin_)  // what was going on in it forgets
+        std::memset(t.memory + memory_begin_, 0, memory_end_ - memory_begin_);
       return fails(t, "its status is none of failure, running and success");
     }
     if (vote_curve_)

@@ -49,7 +49,7 @@ class Composite : public Behavior<State, Action> {
   [[gnu::cold, gnu::noinline]] Status refuse(const AnyNode& child, const Tick<State>& t,
                                              Proposal<Action>& out, Status answered) const {
     detail::note_mistake(t, child.index_, out);
-    if (answered == Status::running)
+    if (left_open(child, answered))
       halt(child, t);
     out.clear();
     return Status::failure;

@@ -36,6 +36,11 @@ std::vector<std::string> AnyNode::problems() const {
   if (type_->parameters)
     eyrie::detail::check_values(*type_->parameters, type_->object(const_cast<AnyNode&>(*this)), "",
                                 problems);
+  if (type_ == &kAny)
+    problems.push_back("has no type: nodes are made by make<...>()");
+  if (vote_curve_)
+    if (std::string own = vote_curve_->problem(); !own.empty())
+      problems.push_back(std::move(own));
   const std::size_t count = children_.size(), slots = type_->child_keys.size();
   if (std::find(children_.begin(), children_.end(), nullptr) != children_.end())
     problems.push_back("a child is missing");
@@ -126,8 +131,14 @@ void AnyTree::put(std::string_view path, std::unique_ptr<AnyNode> by) {
     place = &*std::ranges::find_if(children,
                                    [&](const auto& child) { return child->end_index() > *at; });
   }
-  *place = std::move(by);
-  lay_out();
+  place->swap(by);
+  try {
+    lay_out();
+  } catch (...) {
+    place->swap(by);
+    lay_out();
+    throw;
+  }
 }
 
 }  // namespace eyrie::ubf

@@ -17,7 +17,8 @@ class Tree : public AnyTree {
                 "ActionTraits<Action>::fields must list every member of the action once");
 
   /// Refuses what AnyTree does.
-  Tree(std::string name, std::unique_ptr<Node> root) : AnyTree(std::move(name), std::move(root)) {}
+  Tree(std::string name, std::unique_ptr<Node> root)
+      : Tree(AnyTree(std::move(name), std::move(root))) {}
 
   /// One decision. `t.memory` must be this agent's slab: memory_bytes() bytes at an address that
   /// is a multiple of 8, zero before the first tick. After a failure `out` is empty.
@@ -63,7 +64,13 @@ class Tree : public AnyTree {
  private:
   template <class, class>
   friend class Registry;
-  explicit Tree(AnyTree&& tree) : AnyTree(std::move(tree)) {}
+  explicit Tree(AnyTree&& tree) : AnyTree(std::move(tree)) {
+    for (std::size_t i = 0; i < size(); ++i)
+      if (const VoteCurve* curve = AnyTree::node(static_cast<NodeIndex>(i)).vote_curve())
+        for (const Consideration& one : curve->product)
+          EYRIE_THROW_UNLESS(one.field < StateFields<State>::all().size(),
+                             "the vote of a node follows a field that its state does not have");
+  }
 };
 
 }  // namespace eyrie::ubf

@@ -125,6 +125,40 @@ TEST(Tree, RefusesNodesSetUpWronglyWithTheirPathsAndAllReasons) {
             "  root/winner_takes_all: winner_takes_all: vote_scale is nan");
 }
 
+TEST(Tree, RefusesNodesThatNobodyMadeAndVotesThatFollowNothing) {
+  EXPECT_EQ(refusal([]() -> Child { return std::make_unique<Inverter<State, Action>>(); }),
+            "tree 'bad' cannot be made\n  root: behavior: has no type: nodes are made by make<...>()");
+  const auto following = [](VoteCurve curve) {
+    return refusal([&]() -> Child {
+      auto node = probe(0);
+      node->set_vote_curve(std::move(curve));
+      return node;
+    });
+  };
+  VoteCurve curve;
+  curve.product.resize(7);
+  EXPECT_NE(following(curve).find("7 considerations, expected 1 to 6"), std::string::npos);
+  curve.product = {{.field = 0, .from = 5, .to = 5}};
+  EXPECT_NE(following(curve).find("'from' and 'to' are 5 and 5"), std::string::npos);
+  curve.product = {{.field = 1'000'000}};
+  EXPECT_NE(following(curve).find("a field that its state does not have"), std::string::npos);
+  curve = {.product = {{}}, .least = -5};
+  EXPECT_NE(following(curve).find("the least share is -5"), std::string::npos);
+  curve.least = 0;
+  EXPECT_EQ(following(curve), "accepted");
+}
+
+TEST(Tree, StaysAsItWasIfANodeCannotBePutIntoIt) {
+  RobotTree tree("t", make<Wta>(probe(0)));
+  EXPECT_THROW(
+      static_cast<void>(std::move(tree).replace("root/probe", make<Inverter<State, Action>>())),
+      std::logic_error);
+  Robot robot(std::move(tree));
+  robot.say(0, kRunning, 3);
+  EXPECT_EQ(robot.tick(), kRunning);
+  EXPECT_EQ(robot.leader(), "root/probe");
+}
+
 TEST(Tree, RefusesWhatWouldReadBeyondItsChildren) {
   using Choice = Switch<State, Action>;
   const auto phase = [](const State& s) { return static_cast<double>(s.phase); };

@@ -119,6 +119,17 @@ class VoteReading {
 
 }  // namespace
 
+std::string VoteCurve::problem() const {
+  if (product.empty() || product.size() > kMost)
+    return fmt::format("vote: {} considerations, expected 1 to {}", product.size(), kMost);
+  if (!(least >= 0 && least <= 1))
+    return fmt::format("vote: the least share is {}, expected 0 to 1", least);
+  for (const Consideration& one : product)
+    if (!(one.from < one.to || one.from > one.to))
+      return fmt::format("vote: 'from' and 'to' are {} and {}", one.from, one.to);
+  return {};
+}
+
 double Consideration::score(double value) const {
   const double x = std::clamp((value - from) / (to - from), 0.0, 1.0);
   if (!(x == x))

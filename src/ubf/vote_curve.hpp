@@ -47,6 +47,8 @@ struct VoteCurve {
   std::vector<Consideration> product;
   double least = 0;  ///< in [0, 1]
 
+  /// What is wrong with it, "" for nothing.
+  [[nodiscard]] std::string problem() const;
   /// `read(field)` gives the value of a field of the state. Notes the scores.
   template <class Read>
   [[nodiscard]] double share(Read read, Scores& scores) const {

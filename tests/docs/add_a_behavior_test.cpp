@@ -37,7 +37,7 @@ class ClimbAway final : public Behavior {
 };
 
 struct ClimbMemory {
-  double begun = 0;  ///< s, when the climb began; 0: not climbing
+  double end = 0;  ///< s, when the climb is over; 0: not climbing
 };
 
 /// The same, but for a limited time.
@@ -51,9 +51,9 @@ class ClimbForAWhile final : public ubf::WithMemory<Behavior, ClimbMemory> {
 
   Status tick(const Tick& t, Proposal& out) const override {
     auto& m = memory(t);
-    if (m.begun == 0)
-      m.begun = t.time;
-    if (ubf::passed(t.time, m.begun, patience_))
+    if (m.end == 0)
+      m.end = t.time + patience_;
+    if (ubf::passed(t.time, m.end, 0))
       return Status::success;
     out.action.altitude = t.state.own.altitude + 1000;
     out.vote = 15;

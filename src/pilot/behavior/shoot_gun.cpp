@@ -28,7 +28,7 @@ Status ShootGun::tick(const Tick& t, Proposal& out) const {
   if (const char* why = why_no_gun(s, target, max_age_))
     return holds_fire(why);
   const model::GunType& gun = s.library.guns[*s.type.index.gun];
-  const double reach = range_.value_or(gun.greatest_range);
+  const double reach = std::min(range_.value_or(gun.greatest_range), gun.greatest_range);
   if (target->range > reach)
     return holds_fire("the target is out of reach");
   const auto& sight = s.gun_sight(*target);

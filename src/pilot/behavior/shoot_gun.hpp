@@ -24,10 +24,10 @@ class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
     return Lines{
         param("vote", &G::vote_, range(0, 1000), "how strongly"),
         param("range", &G::range_, "m", range(50, 5000),
-              "fires no farther; null: as far as the gun is good for"),
+              "fires no farther, and never beyond the reach of the gun"),
         param("tolerance", &G::tolerance_, "rad", range(0.05, 30, "deg"),
               "largest angle between the nose and the lead point; null: the gun's aim cone"),
-        param("burst", &G::burst_, "s", range(0.05, 60), "longest burst"),
+        param("burst", &G::burst_, "s", range(0.05, 60), "longest burst, in whole decisions"),
         param("pause", &G::pause_, "s", range(0, 60), "between two bursts"),
         param("max_age", &G::max_age_, "s", range(0, 60),
               "not at a target that nobody has seen for longer"),

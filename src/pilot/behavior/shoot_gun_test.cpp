@@ -28,9 +28,14 @@ TEST(ShootGun, FiresWithTheNoseOnTheLeadPoint) {
   EXPECT_EQ(d.proposal.vote, 55);
 }
 
-TEST(ShootGun, FiresNoFartherThanItsRange) {
-  EXPECT_EQ(decide(kGun, astern(899)).status, kRunning);
-  EXPECT_EQ(decide(kGun, astern(901)).status, kFailure);
+TEST(ShootGun, FiresNoFartherThanItsRangeAndTheReachOfTheGun) {
+  const std::string near = "{shoot_gun: {range: 400 m, tolerance: 2 deg}}";
+  EXPECT_EQ(decide(near, astern(399)).status, kRunning);
+  EXPECT_EQ(decide(near, astern(401)).status, kFailure);
+  const double reach = library().guns[0].greatest_range;
+  ASSERT_LT(reach, 900);
+  EXPECT_EQ(decide(kGun, astern(reach - 1)).status, kRunning);
+  EXPECT_EQ(decide(kGun, astern(reach + 1)).status, kFailure);
 }
 
 TEST(ShootGun, LeadsATargetThatCrosses) {

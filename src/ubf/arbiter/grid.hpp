@@ -108,6 +108,7 @@ class OverGrid : public Mixing<State, Action> {
                                                  Proposal<Action>& next) const {
     if (t.mistake && t.mistake->node == kNone)
       *t.mistake = {child.index(), "appraises a candidate with what is no finite number"};
+    this->halt(child, t);
     next.clear();
     if (t.trace) {
       t.trace->because(child.index(), "what it says of a candidate is no finite number");
