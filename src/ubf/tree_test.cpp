@@ -126,8 +126,9 @@ TEST(Tree, RefusesNodesSetUpWronglyWithTheirPathsAndAllReasons) {
 }
 
 TEST(Tree, RefusesNodesThatNobodyMadeAndVotesThatFollowNothing) {
-  EXPECT_EQ(refusal([]() -> Child { return std::make_unique<Inverter<State, Action>>(); }),
-            "tree 'bad' cannot be made\n  root: behavior: has no type: nodes are made by make<...>()");
+  EXPECT_EQ(
+      refusal([]() -> Child { return std::make_unique<Inverter<State, Action>>(); }),
+      "tree 'bad' cannot be made\n  root: behavior: has no type: nodes are made by make<...>()");
   const auto following = [](VoteCurve curve) {
     return refusal([&]() -> Child {
       auto node = probe(0);
