@@ -182,13 +182,13 @@ int zones(const ZonesOptions& options) {
                                    weapon::kLowestZone, weapon::kHighestZone);
   const double speed = in_table("--speed", options.speed, Dimension::speed, weapon::kSlowestZone,
                                 weapon::kFastestZone);
+  listen_for_interrupts();
   // whatever is a mistake is found before anything is written
   std::map<std::string, model::MissileType> types;
   for (const std::string& name :
        options.missiles.empty() ? source.data_names("missiles") : options.missiles)
-    if (!types.contains(name))
+    if (!types.contains(name) && !interrupted())
       types.emplace(name, loaded(name, source));
-  listen_for_interrupts();
   if (options.draw) {
     std::deque<disk::OutputFile> files;
     for (const auto& [name, type] : types)

@@ -289,7 +289,7 @@ class Loader {
     std::size_t station = 0;
     const auto hang = [&](const std::string& store, std::uint8_t count) {
       if (station >= model::kMaxStations)
-        return;                                   // too many were told of
+        return;
       constexpr std::size_t kMostMissiles = 254;  // 0 is an empty station, 255 any missile
       const auto missile = library_->missiles.find(store);
       if (missile && *missile >= kMostMissiles)

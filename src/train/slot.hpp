@@ -62,13 +62,11 @@ struct VectorEnv::Lane {
   };
   Lane(const scenario::Scenario& scenario, std::size_t most_orders)
       : judge(scenario, scenario.spec.until) {
-    for (std::size_t i = 0; i < kTogether; ++i)
+    for (std::size_t i = 0; i < sim::kMostTogether; ++i)
       ones.emplace_back(*scenario.simulation, most_orders);
   }
   std::deque<One> ones;
   scenario::Judge judge;
-
-  static constexpr std::size_t kTogether = 8;
 };
 
 /// Calls `use` with what the pilot of an aircraft perceives between two steps; false if it is gone.
