@@ -204,8 +204,9 @@ void SimulationBuilder::add(std::unique_ptr<const System> system,
   for (const OrderKind kind : system->accepts()) {
     EYRIE_THROW_UNLESS(phases[index_of(Phase::orders)],
                        "a system that accepts orders must override apply_order");
-    EYRIE_THROW_UNLESS(simulation_->handler(kind) == nullptr,
-                       "two systems accept the same kind of order");
+    EYRIE_THROW_UNLESS(
+        simulation_->handler(kind) == nullptr && std::ranges::count(system->accepts(), kind) == 1,
+        "two systems accept the same kind of order, or one twice");
   }
   for (const OrderKind kind : system->accepts()) {
     auto& by_order = simulation_->by_order_;
