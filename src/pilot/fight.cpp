@@ -52,23 +52,43 @@ Vec3 raised(const Vec3& ned, double angle) {
   return cosine * unit + sine * up;
 }
 
-void aim(const State& s, const Vec3& direction, double load_factor, double speed, double floor,
-         Action& action) {
+double steepest_above(const State& s, double floor, double load_factor) {
+  constexpr double kReaction = 0.8;  // s, to the next decision and until its load is there
+  constexpr double kHeld = 0.8;      // of the load, while the speed changes
+  const double load = kHeld * std::min(load_factor, static_cast<double>(s.flying.energy.available));
   // a dive of angle c is pulled out of within V2 (1 - cos c) / (g (n - 1))
-  const double radius = s.own.speed * s.own.speed / (4 * model::kGravity);
-  const double room = std::clamp((s.own.altitude - floor) / radius, 0.0, 1.0);
-  const double steepest = math::acos(1 - room);
+  const double radius = s.own.speed * s.own.speed / (model::kGravity * std::max(load - 1, 0.1));
+  const double upright = std::fabs(s.own.roll) / s.airframe().limits.roll_rate;
+  const double sunk = std::max(s.velocity_ned.z, 0.0) * (kReaction + upright);
+  return math::acos(1 - std::clamp((s.own.altitude - sunk - floor) / radius, 0.0, 1.0));
+}
+
+void aim(const State& s, const Vec3& direction, const Pull& pull, Action& action) {
+  constexpr double kBack = 5;             // s, to come back to the floor from below
+  constexpr double kSteepestBack = 0.35;  // rad
+  const double steepest = steepest_above(s, pull.floor, pull.most);
+  const double below = (pull.floor - s.own.altitude) / (kBack * std::max(s.own.speed, 1.0));
+  const double lowest = below > 0 ? std::min(below, kSteepestBack) : -steepest;
   action.heading = wrap_tau(bearing_of(direction));
-  action.climb = std::max(elevation_of(direction), -steepest);
-  action.altitude = std::max(s.altitude_for(*action.climb), floor);  // for who blends it
-  action.load_factor = load_factor;
-  action.speed = speed;
+  action.climb = std::max(elevation_of(direction), lowest);
+  action.load_factor = pull.load_factor;
+  if (s.own.pitch < -steepest) {  // out of the dive first
+    action.heading = wrap_tau(s.own.heading);
+    action.climb = std::max(lowest, 0.0);
+    action.load_factor = pull.most;
+  } else if (elevation_of(normalized(direction, {}) + nose_of(s.own)) < lowest) {
+    // the straight way there leads too low: round the side
+    const double side = angle_between(s.own.heading, *action.heading) >= 0 ? 1 : -1;
+    action.heading = wrap_tau(s.own.heading + side * kPi / 2);
+  }
+  action.altitude = std::max(s.altitude_for(*action.climb), pull.floor);  // for who blends it
+  action.speed = pull.speed;
   action.mode = model::AutopilotMode::aim;
 }
 
-Status Maneuver::fly(const State& s, const Seen* target, const Vec3& direction,
+Status Maneuver::fly(const State& s, const Seen* target, const Vec3& direction, double load_factor,
                      Proposal& out) const {
-  aim(s, direction, load(s, load_factor_), speed_, floor_, out.action);
+  aim(s, direction, {load_factor, load_factor_, speed_, floor_}, out.action);
   if (target)
     out.action.target = target->id();
   out.vote = vote_;

@@ -32,10 +32,21 @@ struct Angles {
 /// straight down stay.
 [[nodiscard]] Vec3 raised(const Vec3& ned, double angle);
 
-/// Flies towards a direction (NED, any length) with at most `load_factor` g, upside down if need
-/// be, but no steeper down than what leaves room above `floor` (m).
-void aim(const State& s, const Vec3& direction, double load_factor, double speed, double floor,
-         Action& action);
+/// rad below the level, in [0, pi/2]: the steepest dive that a pull-out with so many g, or with
+/// what the wing gives of them, still ends above `floor` (m).
+[[nodiscard]] double steepest_above(const State& s, double floor, double load_factor);
+
+/// How a direction is flown to.
+struct Pull {
+  double load_factor;  ///< g, to turn with
+  double most;         ///< g, to pull out with above the floor
+  double speed;        ///< m/s true airspeed
+  double floor;        ///< m
+};
+
+/// Flies towards a direction (NED, any length), upside down if need be, but no steeper down than
+/// can be pulled out of above the floor; from below it climbs back.
+void aim(const State& s, const Vec3& direction, const Pull& pull, Action& action);
 
 /// What all behaviors that turn share: how strongly, how fast, how hard and how low.
 class Maneuver : public Behavior {
@@ -57,8 +68,13 @@ class Maneuver : public Behavior {
   [[nodiscard]] double load(const State& s, double most) const {
     return load_for_energy(s, speed_of(s, least_mach_), most);
   }
-  /// Recommends to fly there with the energy it has, after whom it is after.
-  Status fly(const State& s, const Seen* target, const Vec3& direction, Proposal& out) const;
+  /// Recommends to fly there with that load, after whom it is after.
+  Status fly(const State& s, const Seen* target, const Vec3& direction, double load_factor,
+             Proposal& out) const;
+  /// With the energy it has.
+  Status fly(const State& s, const Seen* target, const Vec3& direction, Proposal& out) const {
+    return fly(s, target, direction, load(s, load_factor_), out);
+  }
 
   float vote_ = 40;
   double speed_ = si(600, "kt");

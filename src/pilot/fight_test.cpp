@@ -87,16 +87,17 @@ RC_GTEST_PROP(Fight, RaisesADirectionByTheAngle, ()) {
 
 TEST(Fight, DivesNoSteeperThanItCanPullOutOf) {
   Desk desk;
+  desk.flying.energy.available = 6.25F;  // of which it counts on four fifths
   Action action;
   const auto climb = [&](double altitude) {
     desk.own.altitude = altitude;
-    aim(desk.state(), {1, 0, 1}, 5, 250, 1000, action);
+    aim(desk.state(), {1, 0, 1}, {5, 7, 250, 1000}, action);
     return *action.climb;
   };
   EXPECT_NEAR(climb(8000), -45 * kDegree, 1e-9);
   EXPECT_EQ(action.mode, model::AutopilotMode::aim);
   EXPECT_EQ(climb(1000), 0);
-  EXPECT_EQ(climb(500), 0) << "below the floor it is level at least";
+  EXPECT_NEAR(climb(990), 10.0 / (5 * 250), 1e-9) << "from below it climbs back";
   // the arc of a pull-out at 4 g more than level costs V2 (1 - cos c) / 4 g of height
   const double radius = 250.0 * 250.0 / (4 * model::kGravity);
   EXPECT_NEAR(climb(1000 + radius * (1 - std::cos(20 * kDegree))), -20 * kDegree, 1e-9);

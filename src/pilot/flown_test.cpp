@@ -138,6 +138,63 @@ TEST(Pursue, CatchesAFlyingTarget) {
   EXPECT_LT(nearest, 600);
 }
 
+/// A target that flies straight on at `altitude` from a place north-east of the pilot.
+struct Chase : Flown {
+  Chase(const std::string& tree, double own_altitude, double own_heading, double north, double east,
+        double altitude)
+      : Flown(tree) {
+    start(own_altitude, own_heading, 250);
+    place = kinematics.position + Vec3{north, east, own_altitude - altitude};
+  }
+  /// The lowest that it comes in that time (m).
+  double lowest_in(double seconds) {
+    double lowest = kinematics.altitude;
+    for (int i = 0; i < static_cast<int>(seconds * 10); ++i) {
+      desk.tracks = {};
+      desk.own = kinematics;
+      desk.time = time;
+      model::Track& track = desk.track(place - kinematics.position);
+      track.velocity = velocity;
+      track.id = desk.agent.target = TrackId{1};
+      fly_for(0.1);
+      place += 0.1 * velocity;
+      lowest = std::min(lowest, kinematics.altitude);
+    }
+    return lowest;
+  }
+  Vec3 place, velocity{220, 0, 0};
+};
+
+TEST(Maneuver, KeepsItsFloorWhereverTheTargetIs) {
+  for (const std::string name :
+       {"lead_pursuit: {", "pure_pursuit: {", "lag_pursuit: {", "extend: {",
+        "pursue: {mode: lead, ", "extend: {dive: 60 deg, ", "pure_pursuit: {least_mach: 0, "})
+    for (const double load_factor : {2.0, 7.0})
+      for (const double own_altitude : {1500.0, 3000.0, 7500.0})
+        for (const double north : {-4000.0, 1500.0, 5000.0})
+          for (const double own_heading : {0.0, 2.5}) {
+            Chase c("{" + name + "floor: 600 m, load_factor: " + std::to_string(load_factor) + "}}",
+                    own_altitude, own_heading, north, 300, 150);
+            EXPECT_GT(c.lowest_in(90), 570)
+                << name << " " << load_factor << " g from " << own_altitude << " m, he is " << north
+                << " m north, own heading " << own_heading;
+          }
+}
+
+TEST(Maneuver, ComesBackFromBelowItsFloor) {
+  for (const std::string name : {"lead_pursuit", "extend", "pursue"}) {
+    Chase c("{" + name + ": {floor: 1000 m}}", 500, 0, 6000, 0, 150);
+    EXPECT_GT(c.lowest_in(40), 480) << name;
+    EXPECT_GT(c.kinematics.altitude, 950) << name;
+  }
+}
+
+TEST(Egress, LandsEvenIfHomeIsSmallerThanItsTurn) {
+  Flown f("{egress: {arrival: 100 m}}");
+  f.start(3000, 0.4, 250, library().flights[0].home->x, 20 * kNmi);
+  EXPECT_TRUE(f.fly_until(700, [](const Decided& d) { return d.action().call == Call::land; }));
+}
+
 TEST(BreakTurn, PutsTheMissileBehindTheWingAndLosesHeight) {
   Flown f("{break_turn: {turn: 110 deg}}");
   f.start(6000, 0, 280);
@@ -147,6 +204,23 @@ TEST(BreakTurn, PutsTheMissileBehindTheWingAndLosesHeight) {
   }));
   EXPECT_LT(angle_between(0, f.kinematics.heading), 0);  // it came from the right
   EXPECT_LT(f.kinematics.altitude, 5900);
+}
+
+TEST(Defense, GoesDownAndUpBySoMuchFromWhereItBegan) {
+  const auto altitude_after = [](const std::string& tree, double range) {
+    Flown f(tree);
+    f.start(7000, 0, 280);
+    f.desk.threat(0.5, range);
+    for (int second = 0; second < 60; ++second) {
+      f.desk.threats.missiles[0].arrival = f.time + 3;
+      f.fly_for(1);
+    }
+    return f.kinematics.altitude;
+  };
+  for (const std::string name : {"notch", "drag", "last_ditch", "break_turn"})
+    EXPECT_NEAR(altitude_after("{" + name + ": {dive: 1000 m, load_factor: 4}}", 2000), 6000, 60)
+        << name;
+  EXPECT_NEAR(altitude_after("{break_turn: {climb: 500 m}}", 30e3), 7500, 60);
 }
 
 }  // namespace

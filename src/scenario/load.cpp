@@ -202,7 +202,7 @@ class Loader {
     begin.speed = s.speed.value_or(0);
     begin.position = resolve(s, 0, library_->reference, plan.start_where, diagnostics_);
     if (!player.own_place)
-      begin.position = beside(library_->reference, begin.position, *s.heading,
+      begin.position = beside(library_->reference, begin.position, plan.lead_heading(*s.heading),
                               {-plan.spec.gap * (player.rank - 1), 0, 0});
     return begin;
   }
@@ -239,14 +239,14 @@ class Loader {
     if (!player.own_place && player.rank > 1) {
       offset = pilot::formation_offset(out_->formations.back(), player.rank);
       offset.z = player.own_altitude ? 0 : offset.z;
-      begin.position = beside(library_->reference, lead, *s.heading, offset);
+      begin.position = beside(library_->reference, lead, plan.lead_heading(*s.heading), offset);
     }
-    const PlayerId id{static_cast<std::uint32_t>(starts_.size() + 1)};
     begin.spread = spread_of(player,
-                             {.player = id,
+                             {.player = PlayerId{static_cast<std::uint32_t>(starts_.size() + 1)},
                               .drawn_by = out_->roster.flights.back().members.front(),
                               .place = lead,
-                              .offset = offset},
+                              .offset = offset,
+                              .lead_off = plan.lead_heading(*s.heading) - *s.heading},
                              library_->reference, diagnostics_);
   }
 

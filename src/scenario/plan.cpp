@@ -170,7 +170,27 @@ class Reader {
     if (plan.players.size() == players->items.size() && plan.players.front().rank != 1)
       error(players->where, "{0} '{1}' has no lead: none of its players is '{1}1'", Plan::word,
             plan.name);
+    for (auto& member : plan.players)
+      start_beside(plan.players.front(), member);
     plans.push_back(std::move(plan));
+  }
+
+  /// What a member without a place of its own does not say of its start is as the lead's.
+  template <class Member>
+  static void start_beside(const Member& lead, Member& member) {
+    if (member.own_place || !lead.own)
+      return;
+    const auto own = std::exchange(member.spec.start, lead.spec.start);
+    const Value* start = member.own ? member.own->find("start") : nullptr;
+    const auto keep = [&](std::string_view key, auto of) {
+      if (start && start->is_map() && start->find(key))
+        member.spec.start.*of = own.*of;
+    };
+    using Start = std::remove_const_t<decltype(own)>;
+    keep("heading", &Start::heading);
+    keep("speed", &Start::speed);
+    if constexpr (requires { &Start::altitude; })
+      keep("altitude", &Start::altitude);
   }
 
   template <class Plan>

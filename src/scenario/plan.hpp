@@ -51,6 +51,11 @@ struct GroupPlan {
   bool sound = true;  ///< everything said of it could be read
   Location route_where, start_where;
   std::vector<Member> players;  ///< by rank
+
+  /// rad, of the lead at the start; `own` if it says none.
+  [[nodiscard]] double lead_heading(double own) const {
+    return players.front().spec.start.heading.value_or(own);
+  }
 };
 
 using PlayerPlan = MemberPlan<PlayerSpec>;

@@ -62,7 +62,7 @@ std::optional<Spread> spread_of(const PlayerPlan& player, Spread of, const Refer
   of.speed = *start.speed;
   if (player.own && player.own->find("spread")) {
     of.drawn_by = of.player;
-    of.place = beside(reference, of.place, of.heading, of.offset);
+    of.place = beside(reference, of.place, of.heading + of.lead_off, of.offset);
     of.altitude -= of.offset.z;
     of.offset = {};
   }
@@ -85,7 +85,7 @@ void scatter(std::span<const Spread> spreads, const Reference& reference,
     const double speed = about(s.speed, s.by.speed);
     Vec3 place = at_altitude(reference, north, east, altitude);
     if (s.offset != Vec3{})
-      place = beside(reference, place, heading, s.offset);
+      place = beside(reference, place, heading + s.lead_off, s.offset);
 
     const auto row = world.row(columns.table, s.player);
     EYRIE_DEMAND(row.has_value(), "at the start everybody is there");

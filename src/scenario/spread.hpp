@@ -16,6 +16,7 @@ struct Spread {
   PlayerId drawn_by{};  ///< whose draws move it: its own, or those of the lead of its flight
   Vec3 place = {};      ///< m, local frame: unmoved, its own or that of its lead
   Vec3 offset = {};     ///< m, from there in the formation: forward, right, down
+  double lead_off = 0;  ///< rad, of the lead's heading to the right of its own
   double altitude = 0;  ///< m, of that place
   double heading = 0;   ///< rad, true
   double speed = 0;     ///< m/s

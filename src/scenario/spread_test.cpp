@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/angle.hpp"
+#include "pilot/geometry.hpp"
 #include "scenario/scenario.hpp"
 
 namespace eyrie::scenario {
@@ -13,7 +14,8 @@ namespace {
 
 /// Two F-15s side by side, `flight` and `second` beside what else is said of them.
 std::shared_ptr<const Scenario> pair(const std::string& flight, const std::string& second = "",
-                                     const std::string& altitude = "5000 m") {
+                                     const std::string& altitude = "5000 m",
+                                     const std::string& first = "") {
   auto source = Source::disk(".");
   source.add("pair.yaml",
              "eyrie: 1\nname: pair\nreference: {latitude: 33 deg, longitude: -68 deg}\n"
@@ -22,7 +24,8 @@ std::shared_ptr<const Scenario> pair(const std::string& flight, const std::strin
              "      formation: {abreast: 1000 m, behind: 0 m, below: 100 m}\n"
              "      start: {north: 0 km, east: 10 km, altitude: " +
                  altitude + ", heading: 0 deg, speed: 200 m/s}\n" + flight +
-                 "      players:\n        - eagle1\n        - eagle2: {" + second + "}\n");
+                 "      players:\n        - eagle1: {" + first + "}\n        - eagle2: {" + second +
+                 "}\n");
   return load({"pair.yaml", {}}, std::move(source));
 }
 const model::Kinematics& motion(const Scenario& s, const sim::World& world, std::size_t row) {
@@ -44,6 +47,24 @@ TEST(Start, OfAWingmanIsAtTheAltitudeThatIsSaidOfHim) {
   EXPECT_NEAR(motion(*without, level, 1).altitude, 4900, 1e-6);
   EXPECT_NEAR(motion(*with, own, 1).position.x, motion(*without, level, 1).position.x, 0.1);
   EXPECT_NEAR(motion(*with, own, 1).position.y, motion(*without, level, 1).position.y, 0.5);
+}
+
+TEST(Start, OfAWingmanIsBesideWhereverItsLeadIs) {
+  const auto apart = [](const std::string& first, const std::string& second) {
+    const auto s = pair("", second, "5000 m", first);
+    const auto world = s->world(1);
+    const model::Kinematics &of_lead = motion(*s, world, 0), &other = motion(*s, world, 1);
+    return pilot::to_ned(of_lead, other.position - of_lead.position);
+  };
+  const std::string lead = "start: {north: 20 km, east: 0 km, altitude: 7000 m, heading: 90 deg}";
+  const Vec3 beside = apart(lead, "");
+  EXPECT_NEAR(beside.x, 1000, 1) << "to the left of who flies east is north";
+  EXPECT_NEAR(beside.y, 0, 1);
+  EXPECT_NEAR(beside.z, 100, 1);
+  const Vec3 turned = apart(lead, "start: {heading: 45 deg}");
+  EXPECT_NEAR(norm(turned - beside), 0, 1) << "its own heading does not turn the formation";
+  EXPECT_NEAR(norm(apart(lead, "start: {north: 5 km, east: 0 km}")), 15e3, 3000)
+      << "a place of its own stays there";
 }
 
 TEST(Spread, MovesAStartEvenlyWithinWhatItSays) {

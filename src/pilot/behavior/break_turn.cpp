@@ -15,21 +15,23 @@ bool BreakTurn::is_near(const State& s, const model::InboundMissile& missile, bo
 void BreakTurn::defend(const State& s, const model::InboundMissile& missile, BreakMemory& m) const {
   m.until = s.time + recovery_;
   if (!is_near(s, missile, m.phase == Call::defend_near)) {
+    if (m.phase != Call::defend_far)
+      m.altitude = std::min(s.own.altitude + climb_, std::max(ceiling_, s.own.altitude));
     m.phase = Call::defend_far;
     m.turn = Turn::none;
     m.heading = wrap_tau(missile.bearing);
-    m.altitude = std::min(s.own.altitude + climb_, std::max(ceiling_, s.own.altitude));
     return;
   }
   const double off_nose = angle_between(s.own.heading, missile.bearing);
   if (m.turn == Turn::none)  // it comes from the right: away is to the left
     m.turn = off_nose >= 0 ? Turn::left : Turn::right;
+  if (m.phase != Call::defend_near)
+    m.altitude = std::max(s.own.altitude - dive_, std::min(floor_, s.own.altitude));
   m.phase = Call::defend_near;
   // farther behind already: any turn to put it back there would be one towards it
   m.heading = wrap_tau(std::fabs(off_nose) >= turn_ ? s.own.heading
                        : m.turn == Turn::left       ? missile.bearing - turn_
                                                     : missile.bearing + turn_);
-  m.altitude = std::max(s.own.altitude - dive_, std::min(floor_, s.own.altitude));
 }
 
 Status BreakTurn::tick(const Tick& t, Proposal& out) const {

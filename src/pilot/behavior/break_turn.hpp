@@ -11,7 +11,7 @@ enum class Turn : std::uint32_t { none, left, right };
 struct BreakMemory {
   double until = 0;         ///< s, when to recover if nothing is heard of a missile again
   double heading = 0;       ///< rad, last recommended
-  double altitude = 0;      ///< m, last recommended in the near phase
+  double altitude = 0;      ///< m, to go to in this phase
   Call phase = Call::none;  ///< defend_far or defend_near while defending
   Turn turn = Turn::none;   ///< of the near phase
 };
@@ -41,9 +41,11 @@ class BreakTurn final : public ubf::WithMemory<Behavior, BreakMemory> {
               "time from the first warning to the near phase when the range is not known"),
         param("recovery", &B::recovery_, "s", range(0, 60),
               "goes on for so long after the last that was perceived of the missile"),
-        param("climb", &B::climb_, "m", range(0, 10e3), "far phase: how much higher"),
+        param("climb", &B::climb_, "m", range(0, 10e3),
+              "far phase: how much higher than where it began"),
         param("ceiling", &B::ceiling_, "m", range(0, 30e3), "far phase: climbs no higher"),
-        param("dive", &B::dive_, "m", range(0, 10e3), "near phase: how much lower"),
+        param("dive", &B::dive_, "m", range(0, 10e3),
+              "near phase: how much lower than where it began"),
         param("floor", &B::floor_, "m", range(0, 25e3), "near phase: dives no lower"),
         param("turn", &B::turn_, "rad", range(10, 179.9, "deg"),
               "near phase: how far off the nose the missile shall be; 90° beams it"),

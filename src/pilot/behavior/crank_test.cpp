@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "pilot/danger.hpp"
 #include "support/pilot/testing.hpp"
 
@@ -27,6 +29,19 @@ TEST(Crank, KeepsTheTargetOffTheNoseOnTheSideWhereTheNoseIs) {
   EXPECT_NEAR(*d.action().heading, wrap_tau(bearing - 50 * kDegree), 1e-9);
   EXPECT_NEAR(*d.action().altitude, 7500, 1e-9);
   EXPECT_EQ(d.action().target, desk.agent.target);
+}
+
+TEST(Crank, DescendsFromWhereItBegan) {
+  Desk desk = with_shot(50);
+  Pilot pilot("{crank: {descend: 500 m}}");
+  const auto altitude = [&] { return *pilot.decide(desk).action().altitude; };
+  EXPECT_NEAR(altitude(), 7500, 1e-9);
+  desk.own.altitude = 7600;
+  EXPECT_NEAR(altitude(), 7500, 1e-9);
+  const auto shot = std::exchange(desk.agent.shots[0], {});
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.agent.shots[0] = shot;
+  EXPECT_NEAR(altitude(), 7100, 1e-9) << "another missile";
 }
 
 TEST(Crank, IsSilentWithoutAMissileOnItsWay) {

@@ -23,6 +23,7 @@ Status Evade<kDefault>::tick(const Tick& t, Proposal& out) const {
                                                  : "nobody to turn from is known");
   }
   if (m.side == 0) {
+    m.began = s.own.altitude;
     m.side = angle_between(m.bearing, s.own.heading) >= 0 ? 1 : -1;
     // through its bearing, where that is not the way over the tail
     if (kDefault.across && std::fabs(angle_between(s.own.heading, m.bearing)) <= kPi / 2)
@@ -33,7 +34,7 @@ Status Evade<kDefault>::tick(const Tick& t, Proposal& out) const {
   const double course = m.bearing + m.side * angle_;
   out.action.heading =
       wrap_tau(&kDefault == &kNotch ? model::flight::crab(course, s.own.speed, s.wind()) : course);
-  out.action.altitude = std::max(s.own.altitude - dive_, std::min(this->floor_, s.own.altitude));
+  out.action.altitude = std::max(m.began - dive_, std::min(this->floor_, m.began));
   out.action.speed = this->speed_;
   out.action.load_factor = this->load(s, this->load_factor_);
   out.action.mode = model::AutopilotMode::hold;

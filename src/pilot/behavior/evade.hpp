@@ -10,6 +10,7 @@ namespace eyrie::pilot {
 struct EvadeMemory {
   double until = 0;    ///< s, goes on until then if nothing is heard of the danger again
   double bearing = 0;  ///< rad, of the danger when it was last known
+  double began = 0;    ///< m, its altitude when it began
   Call call = Call::none;
   std::int32_t side =
       0;  ///< 1: the danger is kept to the left, -1: to the right; 0: not yet chosen
@@ -50,7 +51,8 @@ class Evade final : public ubf::WithMemory<Maneuver, EvadeMemory> {
                   "answers a missile that is here so soon"),
             param("angle", &E::angle_, "rad", range(10, 180, "deg"),
                   "off the nose at the end of the turn"),
-            param("dive", &E::dive_, "m", range(0, 15e3), "goes down by so much"),
+            param("dive", &E::dive_, "m", range(0, 15e3),
+                  "goes down by so much from where it began"),
             param("dispense", &E::dispense_,
                   "none, chaff, flares or both: thrown out at a missile that is here within 6 s"),
             param("recovery", &E::recovery_, "s", range(0, 300),

@@ -12,10 +12,8 @@ Status LeadPursuit::tick(const Tick& t, Proposal& out) const {
     return fails(t, "no target");
   if (target->range <= gun_range_)
     if (const auto& sight = s.gun_sight(*target)) {
-      const Status status = fly(s, target, sight->aim, out);
-      if (sight->off_nose < cash_in_)
-        out.action.load_factor = load_factor_;
-      return status;
+      const bool cashes_in = sight->off_nose < cash_in_;
+      return fly(s, target, sight->aim, cashes_in ? load_factor_ : load(s, load_factor_), out);
     }
   const Vec3 through_air = s.velocity_of(*target) - s.wind();
   const auto time = time_to_meet(target->ned, through_air, s.own.speed);
@@ -164,11 +162,9 @@ Status Extend::tick(const Tick& t, Proposal& out) const {
     return fails(t, "no target");
   Vec3 away = -target->ned;
   away.z = 0;
-  const Status status = fly(s, target, raised(away, -dive_), out);
   // the turn away is flown with what the energy gives; then it is unloaded
-  if (s.off_nose(away) < kPi / 6)
-    out.action.load_factor = 1;
-  return status;
+  const bool turned = s.off_nose(away) < kPi / 6;
+  return fly(s, target, raised(away, -dive_), turned ? 1 : load(s, load_factor_), out);
 }
 
 Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
@@ -217,7 +213,7 @@ Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
   const Vec3 aside = *pass - dot(*pass, nose) * nose;
   const auto [sine, cosine] = math::sin_cos(s.own.heading + kPi / 2);
   const Vec3 away = norm(aside) > 0.1 * miss_ ? -normalized(aside, {}) : Vec3{cosine, sine, 0};
-  aim(s, nose + away, load_factor_, s.own.speed, floor_, out.action);
+  aim(s, nose + away, {load_factor_, load_factor_, s.own.speed, floor_}, out.action);
   out.vote = vote_;
   return Status::running;
 }

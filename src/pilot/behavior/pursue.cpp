@@ -98,7 +98,8 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
   double altitude = altitude_of_choice(s, *target);
   if (s.own.speed < slowest)
     altitude = std::min(altitude, s.own.altitude);
-  altitude = std::max(altitude + clearance(s), floor_);
+  const double clear = clearance(s);
+  altitude = std::max(altitude + clear, floor_);
 
   const bool crank = crank_ > 0 && claims_on(s, *target).own_shots > 0;
   if (mode_ == Pursuit::follow && !crank) {
@@ -117,9 +118,9 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
     return Status::running;
   }
   action.heading = steadied(s, *target, bearing_of(collision_course(s, *target)));
-  if (mode_ == Pursuit::lead && target->range <= gun_range_)
+  if (mode_ == Pursuit::lead && target->range <= gun_range_ && clear == 0)
     if (const auto& sight = s.gun_sight(*target))
-      aim(s, sight->aim, action.load_factor.value(), speed_, floor_, action);
+      aim(s, sight->aim, {*action.load_factor, load_factor_, *action.speed, floor_}, action);
   return Status::running;
 }
 

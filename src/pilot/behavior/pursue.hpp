@@ -33,7 +33,8 @@ class Pursue final : public Maneuver {
     return joined(
         Maneuver::params(),
         Lines{
-            param("mode", &P::mode_, "follow, intercept or lead"),
+            param("mode", &P::mode_,
+                  "follow (with the speed that keeps the place), intercept or lead"),
             param("overtake", &P::overtake_, "m/s", range(0, 500),
                   "nearer than level_range, at most so much faster than the target; null: never "
                   "slows"),

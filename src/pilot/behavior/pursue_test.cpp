@@ -102,6 +102,20 @@ TEST(Pursue, AimsTheGunWhenItIsNear) {
             decide("{pursue: {mode: intercept}}", desk).action().heading);
 }
 
+TEST(Pursue, KeepsItsOvertakeAndItsDistanceFromMatesWhileItAimsTheGun) {
+  Desk desk;
+  desk.track({800, 100, 0}, 0, 200);
+  const std::string tree = "{pursue: {mode: lead, speed: 300 m/s, overtake: 30 m/s}}";
+  const Decided aims = decide(tree, desk);
+  EXPECT_EQ(aims.action().mode, model::AutopilotMode::aim);
+  EXPECT_NEAR(*aims.action().speed, 230, 1e-9);
+  desk.in_flight(2, 2);
+  desk.datalink.members[0].position = desk.own.position + Vec3{50, 0, 20};
+  const Decided clears = decide(tree, desk);
+  EXPECT_EQ(clears.action().mode, model::AutopilotMode::hold);
+  EXPECT_GT(*clears.action().altitude, desk.own.altitude + si(400, "ft"));
+}
+
 TEST(Pursue, SlowsDownBehindASlowTargetIfToldTo) {
   Desk desk;
   desk.track({3000, 0, 0}, 0, 200);

@@ -39,11 +39,15 @@ Status Egress::tick(const Tick& t, Proposal& out) const {
   if (!distance)
     return fails(t, "the flight has no home");
   const Vec3& home = *s.flight.home;
-  const bool arrived = *distance <= arrival_;
+  // no nearer than the circle that it will fly there
+  const double turn = s.own.speed * s.own.speed /
+                      (model::kGravity * std::sqrt(load_factor_ * load_factor_ - 1 + 0.25));
+  const double arrival = std::max({arrival_, 1.25 * s.guidance().loiter_radius, turn});
+  const bool arrived = *distance <= arrival;
 
   // down along the slope, so that it is low when it arrives
   const double slope = math::tan(descent_);
-  const double on_slope = landing_altitude_ + slope * std::max(*distance - arrival_, 0.0);
+  const double on_slope = landing_altitude_ + slope * std::max(*distance - arrival, 0.0);
   out.action.altitude = std::min(altitude_, on_slope);
   out.action.speed = speed_;
   out.action.load_factor = load_factor_;

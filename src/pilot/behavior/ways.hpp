@@ -66,7 +66,7 @@ class Egress final : public Behavior {
         param("landing_altitude", &Egress::landing_altitude_, "m", range(0, 10e3),
               "altitude over home at which it is low enough to land"),
         param("arrival", &Egress::arrival_, "m", range(100, 100e3),
-              "distance from home that counts as home"),
+              "distance from home that counts as home; no less than what the circle over it takes"),
         param("load_factor", &Egress::load_factor_, range(1, 12), "g, the most it turns with")};
   }
 
