@@ -188,9 +188,17 @@ int campaign_report(const CampaignReportOptions& options) {
   listen_for_interrupts();
   const std::string file =
       options.out.empty() ? fmt::format("{}/report.html", options.folder) : options.out;
-  demand_other_file(file, {fmt::format("{}/{}", options.folder, kStoreName),
-                           fmt::format("{}/{}", options.folder, kTableName)});
+  const auto in_folder = [&](std::string_view name) {
+    return fmt::format("{}/{}", options.folder, name);
+  };
+  std::vector<std::string> others{in_folder(kTableName), in_folder(kParquetName)};
+  for (const char* journal : {"", "-wal", "-shm", "-journal"})
+    others.push_back(in_folder(std::string(kStoreName) + journal));
+  demand_other_file(file, others);
   disk::OutputFile out(file, options.out.empty() || options.force);  // before it flies
+  std::optional<disk::OutputFile> columns;
+  if (parquet)
+    columns.emplace(in_folder(kParquetName), true);
   if (options.out.empty())
     static_cast<void>(table_in(options.folder));
   const auto comparisons = compare(options.folder, summary, measure_named(options.of, summary));
@@ -215,7 +223,7 @@ int campaign_report(const CampaignReportOptions& options) {
   if (options.out.empty())  // a page elsewhere leaves the folder as it is: it may be read-only
     write_table(database, options.folder);
   if (parquet)
-    parquet->write(database, options.folder);
+    parquet->write(database, *columns);
   return 0;
 }
 

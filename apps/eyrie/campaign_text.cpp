@@ -63,7 +63,8 @@ void print_comparisons(const campaign::Summary& summary,
   if (comparisons.empty())
     return;
   std::vector<campaign::Comparison> surest = comparisons;
-  std::ranges::stable_sort(surest, {}, &campaign::Comparison::holm);
+  std::ranges::stable_sort(surest, {},
+                           [](const campaign::Comparison& c) { return std::pair(c.holm, c.p); });
   std::vector<std::vector<std::string>> rows{{"measure", "cell", "less cell", "difference",
                                               summary.paired ? "pairs" : "replicates", "p",
                                               "p (Holm)"}};

@@ -201,6 +201,16 @@ int what_if(const WhatIfOptions& options) {
   if (asks_trees && other->all_trees().size() != recorded.scenario->all_trees().size())
     refuse("the change adds or removes a tree; change one that is there");
 
+  for (const std::string& node : debrief::votes_left_out(recorded, *other))
+    complain(
+        "eyrie: the vote given to {} from outside is left out: with this change there is no "
+        "such node\n",
+        node);
+  const std::size_t given = recorded.run.orders.size() - recorded.scenario->orders.size();
+  if (options.seeds > 0 && given > 0)
+    complain("eyrie: --seeds: {} from outside {} left out: other seeds fly without\n",
+             counted(given, "order"), given == 1 ? "is" : "are");
+
   debrief::WhatIf result;
   Json json{{"run", recorded.file}, {"player", options.player}};
   if (asks_trees) {

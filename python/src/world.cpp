@@ -68,7 +68,7 @@ class World {
     const InUse used = use();
     scenario::OperatorOrders asked =
         scenario::orders_from_json(*scenario_, json, at.value_or(world().step()));
-    leave_out_gone(asked, *scenario_, world());
+    leave_out_unable(asked, *scenario_, world(), mission_->run().orders_for(world().step()));
     if (!asked.problem.empty())
       throw nb::value_error(printable(asked.problem).c_str());
     for (const sim::Order& order : asked.orders)

@@ -92,6 +92,10 @@ TEST(Compare, TakesCellsOfOtherSeedsAsIndependent) {
     }
   }
   EXPECT_TRUE(found);
+  // a part has other replicates of each cell
+  Database(folder / "out/results.db", Database::Access::write)
+      .run("DELETE FROM replicates WHERE replicate % 3 <> cell % 3");
+  EXPECT_FALSE(read_summary(folder / "out").paired);
 }
 
 /// The summary of a full factorial of two factors with these values, the second changing fastest,

@@ -36,7 +36,7 @@ enum class What : std::uint8_t {
   outcome,         ///< share: the flight ended as one of `is`
   end_time,        ///< s
   losses,          ///< players of `who` that were lost
-  kills,           ///< by `who`
+  kills,           ///< by `who`, of the other side
   shots,           ///< by `who`
   shots_per_kill,  ///< ratio
   exchange_ratio,  ///< losses of the other sides per loss of `who`

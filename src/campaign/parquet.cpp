@@ -4,7 +4,8 @@
 #include <dlfcn.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
+#include <cstdio>
+#include <memory>
 #include <set>
 
 #include "campaign/store.hpp"
@@ -12,19 +13,41 @@
 namespace eyrie::campaign {
 namespace {
 
-std::string sql_text(std::string_view text) {
-  std::string out = "'";
+std::string between(std::string_view text, char mark) {
+  std::string out(1, mark);
   for (const char c : text)
-    out += c == '\'' ? "''" : std::string(1, c);
-  return out + "'";
+    out.append(c == mark ? 2 : 1, c);
+  return out + mark;
+}
+std::string sql_text(std::string_view text) {
+  return between(text, '\'');
 }
 
-/// A path in which nothing stands for something else.
-std::string without_patterns(std::string_view path) {
-  std::string out;
-  for (const char c : path)
-    out += c == '*' || c == '?' || c == '[' ? fmt::format("[{}]", c) : std::string(1, c);
-  return out;
+bool has_texts(Database& database, const std::string& factor) {
+  Statement texts = database.prepare(
+      fmt::format("SELECT 1 FROM cells WHERE typeof({}) = 'text' LIMIT 1", sql_name(factor)));
+  return texts.step();
+}
+
+/// Every text in quotation marks, so that one of no letters is not nothing. False if it fails.
+bool write_rows(Database& database, std::FILE* file) {
+  Statement rows = replicate_rows(database);
+  std::string line;
+  while (rows.step()) {
+    line.clear();
+    for (int i = 0; i < rows.columns(); ++i) {
+      line += i ? "," : "";
+      if (rows.is_number(i))
+        line += fmt::format("{}", rows.number(i));
+      else if (rows.is_whole(i))
+        line += rows.text(i);
+      else if (!rows.is_null(i))
+        line += between(rows.text(i), '"');
+    }
+    line += '\n';
+    std::fwrite(line.data(), 1, line.size(), file);
+  }
+  return std::fflush(file) == 0 && std::ferror(file) == 0;
 }
 
 }  // namespace
@@ -91,12 +114,13 @@ void Parquet::run(const std::string& sql) {
     throw disk::Failed("no {}: {}", kParquetName, why);
 }
 
-void Parquet::write(Database& database, const std::string& folder) {
+void Parquet::write(Database& database, disk::OutputFile& file) {
   static const std::set<std::string_view> kIntegers{"cell", "replicate", "seed", "steps"},
       kTexts{"outcome", "hash"};
   std::vector<std::string> columns{"'cell': 'BIGINT'"};
   for (const std::string& factor : columns_of(database, "cells", 2))
-    columns.push_back(sql_text(factor) + ": 'VARCHAR'");
+    columns.push_back(fmt::format("{}: '{}'", sql_text(factor),
+                                  has_texts(database, factor) ? "VARCHAR" : "DOUBLE"));
   for (int i = 1; const std::string& name : columns_of(database, "replicates", 1)) {
     const bool own = i++ < kFirstColumn;
     columns.push_back(fmt::format("{}: '{}'", sql_text(name),
@@ -104,14 +128,16 @@ void Parquet::write(Database& database, const std::string& folder) {
                                   : own && kTexts.contains(name)  ? "VARCHAR"
                                                                   : "DOUBLE"));
   }
-  const std::string file = fmt::format("{}/{}", folder, kParquetName), part = file + ".part";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> table(std::tmpfile(), std::fclose);
+  if (!table || !write_rows(database, table.get()))
+    throw disk::Failed("no {}: no room for the table it is made of", kParquetName);
   run("SET autoinstall_known_extensions = false");
   run(fmt::format(
-      "COPY (FROM read_csv({}, auto_detect = false, header = true, delim = ',', quote = "
-      "'\"', escape = '\"', nullstr = '', columns = {{{}}})) TO {} (FORMAT PARQUET)",
-      sql_text(without_patterns(fmt::format("{}/{}", folder, kTableName))),
-      fmt::join(columns, ", "), sql_text(part)));
-  std::filesystem::rename(part, file);
+      "COPY (FROM read_csv('/proc/self/fd/{}', auto_detect = false, header = false, delim = ',', "
+      "quote = '\"', escape = '\"', nullstr = '', allow_quoted_nulls = false, columns = {{{}}})) "
+      "TO '/proc/self/fd/{}' (FORMAT PARQUET, USE_TMP_FILE false)",
+      ::fileno(table.get()), fmt::join(columns, ", "), file.handle()));
+  file.commit();
 }
 
 }  // namespace eyrie::campaign

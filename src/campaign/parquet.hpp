@@ -3,6 +3,7 @@
 /// \file  The table of the results as Parquet, by DuckDB's library where that is installed.
 #include <memory>
 
+#include "disk/output.hpp"
 #include "sql/database.hpp"
 
 namespace eyrie::campaign {
@@ -18,10 +19,10 @@ class Parquet {
   explicit Parquet(const std::string& library);
   ~Parquet();
 
-  /// results.parquet of the results.csv in the folder of the database: cell, replicate, seed and
-  /// steps are integers, factors, outcome and hash texts, everything else doubles; NULL where
-  /// nothing applies. Throws disk::Failed.
-  void write(Database& database, const std::string& folder);
+  /// The rows and columns of results.csv: cell, replicate, seed and steps are integers, outcome,
+  /// hash and factors that are no numbers texts, everything else doubles; NULL where nothing
+  /// applies. Throws disk::Failed.
+  void write(Database& database, disk::OutputFile& file);
 
  private:
   void run(const std::string& sql);

@@ -298,7 +298,7 @@ double Query::field(const Case& c, std::size_t index) const {
 
 void Query::observe(const sim::World& world, const sim::StepInfo& info,
                     std::span<const sim::Event> events) {
-  const double time = info.time_after();
+  const double time = spec_.what == What::decision ? info.time() : info.time_after();
   if (spec_.what == What::decision)
     return decisions_.each(world, who_, [&](PlayerId who, std::size_t fleet, const auto& led) {
       const auto& nodes = nodes_[fleet];

@@ -17,15 +17,19 @@ std::vector<std::string> columns_of(Database& database, std::string_view table, 
   return names;
 }
 
-void write_table(Database& database, const std::string& folder) {
+Statement replicate_rows(Database& database) {
   std::string columns = "r.cell";
   for (const std::string& name : columns_of(database, "cells", 2))
     columns += ", c." + sql_name(name);
   for (const std::string& name : columns_of(database, "replicates", 1))
     columns += ", r." + sql_name(name);
-  Statement rows = database.prepare(fmt::format(
+  return database.prepare(fmt::format(
       "SELECT {} FROM replicates r JOIN cells c USING (cell) ORDER BY r.cell, r.replicate",
       columns));
+}
+
+void write_table(Database& database, const std::string& folder) {
+  Statement rows = replicate_rows(database);
   disk::OutputFile table = table_in(folder);
   write_csv(rows, [&](const std::string& line) { table.sink().write(line); });
   table.commit();

@@ -98,6 +98,8 @@ void check_results(const std::string& folder);
 [[nodiscard]] disk::OutputFile table_in(const std::string& folder);
 /// results.csv in the folder of the database: a row per replicate with the values of its cell.
 void write_table(Database& database, const std::string& folder);
+/// Each replicate with the factors of its cell: cell, factors, and the columns of `replicates`.
+[[nodiscard]] Statement replicate_rows(Database& database);
 /// What a statement gives, as CSV: lines with their ends, the names of the columns first.
 void write_csv(Statement& rows, const std::function<void(const std::string&)>& use);
 

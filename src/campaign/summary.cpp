@@ -45,9 +45,10 @@ Summary read_summary(const std::string& folder, double confidence) {
         *text = said.text(1);
   }
   summary.factors = columns_of(database, "cells", 2);
+  // a part may have replicate 0 of one cell only, or of none
   Statement seeds =
-      database.prepare("SELECT count(DISTINCT seed) FROM replicates WHERE replicate = 0");
-  summary.paired = !seeds.step() || seeds.integer(0) <= 1;
+      database.prepare("SELECT min(seed - replicate) < max(seed - replicate) FROM replicates");
+  summary.paired = !seeds.step() || seeds.integer(0) == 0;
   read_measures(database, columns_of(database, "replicates", kFirstColumn), summary);
 
   Statement cells = database.prepare("SELECT * FROM cells ORDER BY cell");

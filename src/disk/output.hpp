@@ -15,6 +15,8 @@ class OutputFile {
   OutputFile(const std::string& path, bool replace, mode_t mode = 0666);
 
   [[nodiscard]] Sink& sink() { return sink_; }
+  /// For who writes by itself: the open file.
+  [[nodiscard]] int handle() const { return part_.handle(); }
   /// Until everything is on the disk; then it is put in its place. Throws Failed, and then the
   /// place is as it was.
   void commit();

@@ -185,22 +185,11 @@ std::string Exercise::problem(Request& request) const {
     return "the mission is over";
   if (!words.empty())
     return words;
-  scenario::leave_out_gone(request.order, mission_.scenario(), mission_.run().world());
+  const sim::World& world = mission_.run().world();
+  scenario::leave_out_unable(request.order, mission_.scenario(), world,
+                             mission_.run().orders_for(world.step()));
   if (!words.empty())
     return words;
-  if (kind == "vote") {
-    const PlayerId first = orders.front().player;
-    const auto flies_by_it = [&](const sim::Order& one) {
-      const scenario::Scenario& scenario = mission_.scenario();
-      const sim::World& world = mission_.run().world();
-      const auto row = world.row(scenario.aircraft.table, one.player);
-      return row &&
-             world.rows(scenario.pilots.agent)[*row].tree + 1 == one.as<model::VoteChange>().tree;
-    };
-    std::erase_if(orders, [&](const sim::Order& one) { return !flies_by_it(one); });
-    if (orders.empty())
-      return mission_.scenario().roster.name(first) + " flies by another tree";
-  }
   if (waiting_ + orders.size() > kMostAtOnce || given_ + orders.size() > kMostOrders)
     return "there are too many orders";
   for (const sim::Order& one : orders) {

@@ -24,6 +24,8 @@ Obeyed sit(const Manual& wish, Manual& seat) {
   const bool stays = wish.seat == seat.seat;
   const Manual before = seat;
   seat = wish.seat == Seat::tree ? Manual{} : wish;
+  if (wish.seat == Seat::tree && before.has(Manual::kRadar) && before.radar_off == 1)
+    seat.said = Manual::kRadar;  // the tree gets its radar back
   if (wish.seat == Seat::person && stays) {
     // what was asked for once is not taken back by the next word
     if (seat.store == 0)
@@ -31,6 +33,10 @@ Obeyed sit(const Manual& wish, Manual& seat) {
     if (!seat.has(Manual::kDispense) && before.has(Manual::kDispense)) {
       seat.dispense = before.dispense;
       seat.said |= Manual::kDispense;
+    }
+    if (!seat.has(Manual::kRadar) && before.has(Manual::kRadar)) {
+      seat.radar_off = before.radar_off;
+      seat.said |= Manual::kRadar;
     }
   }
   return stays ? Obeyed::quietly : Obeyed::told;
@@ -74,6 +80,12 @@ Vec3 way_to(const PointToFly& point, const State& state) {
   return to_ned(state.own, Vec3{p[0], p[1], p[2]} - state.own.position);
 }
 
+/// By its route, or with its lead; and after nobody.
+bool travels(const Action& action) {
+  return action.mode == AutopilotMode::route ||
+         (action.mode == AutopilotMode::follow && action.target == TrackId{});
+}
+
 std::optional<std::uint32_t> store_for(std::uint8_t wish, const State& state, const Seen& target) {
   if (wish != kAnyStore)
     return wish - 1U < state.library.missiles.size() ? std::optional(wish - 1U) : std::nullopt;
@@ -107,9 +119,12 @@ void fly_by_hand(const Manual& m, const State& state, Action& action) {
   action.mode = m.has(Manual::kClimb) ? AutopilotMode::aim : AutopilotMode::hold;
   action.follow.reset();
   action.route.reset();
-  action.call.reset();
-  if (m.has(Manual::kTarget))
-    action.target = m.target;
+  if (action.call != Call::land)
+    action.call.reset();
+  if (m.has(Manual::kTarget)) {
+    const Seen* wanted = state.find(m.target);
+    action.target = wanted && wanted->hostile() ? m.target : TrackId{};
+  }
   action.trigger = m.trigger == 1;
   if (m.has(Manual::kRadar))
     action.radar = m.radar_off == 0;
@@ -156,13 +171,16 @@ double Outside::detail(const sim::Order& order) {
 void Outside::overrule(const Asked& asked, const State& state, Action& action) {
   if (asked.manual.seat == Seat::person) {
     fly_by_hand(asked.manual, state, action);
-  } else if (asked.points_left > 0 && action.mode == AutopilotMode::route) {
+  } else if (asked.points_left > 0 && travels(action)) {
     const Vec3 way = way_to(asked.points[0], state);
     action.mode = AutopilotMode::hold;
     action.route.reset();
+    action.follow.reset();
     action.heading = bearing_of(way);
     action.altitude = asked.points[0].altitude;
   }
+  if (asked.manual.seat == Seat::tree && asked.manual.has(Manual::kRadar) && !action.radar)
+    action.radar = true;
   if (asked.tight) {
     action.release.reset();
     action.trigger = false;
@@ -173,6 +191,8 @@ void Outside::done(Asked& asked, const State& state) {
   asked.manual.store = 0;
   asked.manual.said &= static_cast<std::uint16_t>(~unsigned{Manual::kDispense});
   asked.manual.dispense = {};
+  if (asked.manual.seat == Seat::tree)
+    asked.manual = {};
   if (asked.points_left == 0)
     return;
   const Vec3 way = way_to(asked.points[0], state);

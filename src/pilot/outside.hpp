@@ -51,10 +51,11 @@ struct Outside {
   }
   static void forget_votes(Asked& asked) { asked.votes = {}; }
   static bool says(const Asked& asked) {
-    return asked.manual.seat != model::Seat::tree || asked.tight || asked.points_left > 0;
+    return asked.manual.seat != model::Seat::tree || asked.manual.said != 0 || asked.tight ||
+           asked.points_left > 0;
   }
   /// A person's numbers are flown instead of the tree's, by hold or, with a climb, as a direction;
-  /// a point instead of the route.
+  /// a point instead of the route or of the place beside the lead.
   static void overrule(const Asked& asked, const State& state, Action& action);
   /// Forgets what was asked for once, and a point that is reached.
   static void done(Asked& asked, const State& state);

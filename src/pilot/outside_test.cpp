@@ -63,6 +63,23 @@ TEST(Outside, APersonFliesAndTheTreeGoesOnProposing) {
   EXPECT_EQ(war.told(model::EventKind::order).size(), 2u);
 }
 
+TEST(Outside, GivesTheTreeTheRadarBack) {
+  War war = alone();
+  const auto silent = [&] { return war.row(war.aircraft.request, kEagle).radar_off; };
+  Manual m = person(Manual::kHeading | Manual::kRadar);
+  m.radar_off = 1;
+  give(war, OrderKind::manual, m);
+  war.fly(0.2);
+  EXPECT_EQ(silent(), 1);
+  give(war, OrderKind::manual, person(Manual::kHeading));
+  war.fly(0.2);
+  EXPECT_EQ(silent(), 1) << "what he says nothing of stays";
+  give(war, OrderKind::manual, Manual{});
+  war.fly(0.2);
+  EXPECT_EQ(silent(), 0);
+  EXPECT_EQ(tasking(war).manual.said, 0);
+}
+
 TEST(Outside, AClimbIsADirectionToFlyTo) {
   War war = alone();
   Manual m = person(Manual::kHeading | Manual::kClimb | Manual::kLoadFactor);
@@ -106,6 +123,21 @@ TEST(Outside, APersonShootsOnceAndOnlyAtWhoIsHostile) {
   give(war, OrderKind::manual, m);
   war.fly(20);
   EXPECT_EQ(war.told(model::EventKind::release).size(), 1u) << "weapons are tight";
+}
+
+TEST(Outside, FliesToPointsInsteadOfFollowingTheLead) {
+  War war({"navigate: {vote: 10}", "follow_lead: {vote: 10}"});
+  war.add({0, 0, 8000}, 0, 0);
+  const PlayerId wingman = war.add({-500, -500, 8000}, 0, 1);
+  war.fly(2);
+  ASSERT_EQ(war.row(war.aircraft.command, wingman).mode, model::AutopilotMode::follow);
+  const sim::Order there =
+      sim::order_for(war.world->step(), wingman, OrderKind::point,
+                     PointToFly{.position = {0, 50e3, -8000}, .altitude = 8500});
+  war.step({&there, 1});
+  war.fly(0.2);
+  EXPECT_EQ(war.row(war.aircraft.command, wingman).mode, model::AutopilotMode::hold);
+  EXPECT_NEAR(war.row(war.aircraft.command, wingman).heading, kPi / 2, 0.05);
 }
 
 TEST(Outside, FliesToPointsInsteadOfTheRoute) {

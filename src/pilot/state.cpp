@@ -28,7 +28,7 @@ void count_flight(State& s, const model::Fit& fit) {
       s.alive |= 1U << i;
       continue;
     }
-    const bool landed = mate.reported && s.flight.home &&
+    const bool landed = (mate.reported || mate.called) && s.flight.home &&
                         across_ground(to_ned(s.own, mate.position - *s.flight.home)) < kLandedRange;
     s.lost += landed ? 0 : 1;
   }

@@ -36,7 +36,10 @@ struct Tolerance {
 /// Marks what has to be kept besides what is marked already (the first and the last pose must be):
 /// each line reaches as far as all poses that it leaves out are within the tolerance. Angles turn
 /// the shorter way.
-void thin(std::span<const Pose> poses, std::vector<bool>& kept, const Tolerance& tolerance);
+/// `keeps` is told of each pose in order whether it is kept so far, and says whether it is.
+void thin(
+    std::span<const Pose> poses, std::vector<bool>& kept, const Tolerance& tolerance,
+    const std::function<bool(std::size_t, bool)>& keeps = [](std::size_t, bool is) { return is; });
 
 /// A line of the file. Lines of one step stand in the order of their kind, then as they came.
 struct AcmiLine {

@@ -131,12 +131,15 @@ void AcmiObject::write(const Reference& reference, std::vector<AcmiLine>& lines)
     kept.push_back(sample.wanted);
   }
   kept.front() = kept.back() = true;
-  thin(poses, kept, kTolerance);
-  for (std::size_t i = begun_ ? 1 : 0; i < samples_.size(); ++i)
-    if (kept[i] || moved_far(samples_[i])) {
+  thin(poses, kept, kTolerance, [&](std::size_t i, bool is_kept) {
+    if (!is_kept && !moved_far(samples_[i]))
+      return false;
+    if (i > 0 || !begun_) {
       lines.push_back({samples_[i].step, AcmiLine::Kind::object, {}});
       line(samples_[i], reference, lines.back().text);
     }
+    return true;
+  });
   begun_ = true;
   samples_.erase(samples_.begin(), samples_.end() - 1);
 }
@@ -207,13 +210,13 @@ void AcmiObject::write_line(const Told& before, std::string& text) const {
   text += '\n';
 }
 
-void thin(std::span<const Pose> poses, std::vector<bool>& kept, const Tolerance& tolerance) {
+void thin(std::span<const Pose> poses, std::vector<bool>& kept, const Tolerance& tolerance,
+          const std::function<bool(std::size_t, bool)>& keeps) {
   std::size_t from = 0;
-  for (std::size_t to = 1; to < poses.size(); ++to) {
-    if (!fits(poses, from, to, tolerance))
-      kept[to - 1] = true;
-    if (kept[to - 1])
-      from = to - 1;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    kept[i] = keeps(i, kept[i] || (i + 1 < poses.size() && !fits(poses, from, i + 1, tolerance)));
+    if (kept[i])
+      from = i;
   }
 }
 

@@ -78,6 +78,29 @@ std::vector<bool> kept_of(const std::vector<Pose>& poses, std::vector<std::size_
   return kept;
 }
 
+TEST(Thinning, FitsTheShorterLinesOfWhatIsKeptForOtherReasons) {
+  // rolls to and fro by what one line from end to end allows, and two lines do not
+  std::vector<Pose> poses;
+  for (int i = 0; i <= 40; ++i)
+    poses.push_back({.time = 0.1 * i, .roll = radians(0.95) * std::sin(kTau * i / 40)});
+  std::vector<bool> kept(poses.size());
+  kept.front() = kept.back() = true;
+  thin(poses, kept, kTolerance, [](std::size_t i, bool is) { return is || i == 30; });
+  std::size_t from = 0;
+  for (std::size_t to = 1; to < poses.size(); ++to) {
+    if (!kept[to])
+      continue;
+    for (std::size_t i = from; i < to; ++i) {
+      const double part = (poses[i].time - poses[from].time) / (poses[to].time - poses[from].time);
+      EXPECT_LT(
+          std::fabs(poses[from].roll + part * (poses[to].roll - poses[from].roll) - poses[i].roll),
+          kTolerance.attitude * (1 + 1e-9))
+          << i;
+    }
+    from = to;
+  }
+}
+
 /// Straight on, with a pull that is over before the path shows it.
 TEST(AcmiObject, WritesASampleWhereAnInstrumentHasMovedFar) {
   AcmiObject object(PlayerId{1}, "");

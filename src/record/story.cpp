@@ -230,6 +230,10 @@ void Tally::observe(const sim::World&, const sim::StepInfo& info,
   const auto player = [&](PlayerId id) -> OfPlayer* {
     return scenario_.roster.find(id) ? &players_[id.value - 1] : nullptr;
   };
+  const auto own_side = [&](PlayerId a, PlayerId b) {
+    const auto *one = scenario_.roster.find(a), *other = scenario_.roster.find(b);
+    return one && other && one->side == other->side;
+  };
   for (const sim::Event& e : events) {
     OfPlayer* const who = player(e.who);
     const auto fate = fate_of(e);
@@ -253,7 +257,7 @@ void Tally::observe(const sim::World&, const sim::StepInfo& info,
           ++who->shots;
         break;
       case EventKind::kill:
-        if (who)
+        if (who && !own_side(e.who, e.whom))
           ++who->kills;
         break;
       case EventKind::phase:

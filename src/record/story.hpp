@@ -61,7 +61,7 @@ class Story final : public sim::Observer {
 class Tally final : public sim::Observer {
  public:
   struct OfPlayer {
-    std::uint32_t shots = 0, kills = 0;  ///< a burst of the gun is a shot
+    std::uint32_t shots = 0, kills = 0;  ///< a burst of the gun is a shot; of the other side
     bool lost = false, home = false;
     double end_time = 0;  ///< s, when it was lost or came home
     std::string phase;    ///< of its outermost sequencer, "" if it has none

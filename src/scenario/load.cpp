@@ -93,7 +93,6 @@ class Loader {
     if (!diagnostics_.ok())
       throw ConfigError(removed_.empty() ? diagnostics_ : blame_removals(diagnostics_, removed_));
   }
-
   void environment(const Value& v) {
     model::EnvironmentSpec spec;
     bind(spec, v, diagnostics_);
@@ -123,14 +122,11 @@ class Loader {
         if (player.spec.aircraft.empty())
           continue;
         data.aircraft(player.spec.aircraft, player.place("aircraft"));
-        if (!player.spec.loadout)
-          continue;
-        const auto& stores = *player.spec.loadout;
         const Value* said = player.said("loadout");
-        for (std::size_t i = 0; i < stores.size(); ++i)
-          if (stores[i] != "none")
-            data.missile(stores[i], said && i < said->items.size() ? said->items[i].where
-                                                                   : player.place("loadout"));
+        for (std::size_t i = 0; player.spec.loadout && i < player.spec.loadout->size(); ++i)
+          if (const std::string& store = (*player.spec.loadout)[i]; store != "none")
+            data.missile(store, said && i < said->items.size() ? said->items[i].where
+                                                               : player.place("loadout"));
       }
   }
 
@@ -190,9 +186,10 @@ class Loader {
     if (!player.spec.tree.empty())
       begin.tree =
           trees_.find(*out_->driver_trees, player.spec.tree, player.place("tree"), diagnostics_);
-    begin.type = library_->vehicles.find(player.spec.vehicle).value_or(0);
-    if (!player.sound)
+    const auto type = library_->vehicles.find(player.spec.vehicle);
+    if (!player.sound || !type)
       return begin;
+    begin.type = *type;
     const VehicleStartSpec& s = player.spec.start;
     if (!s.heading && (player.own_place || player.rank == 1))  // the others have what the lead has
       diagnostics_.error(plan.start_where, "{}: start needs a heading", player.name);
@@ -200,6 +197,9 @@ class Loader {
       return begin;
     begin.heading = *s.heading;
     begin.speed = s.speed.value_or(0);
+    if (const double top = library_->vehicles[*type].top_speed; begin.speed > top)
+      diagnostics_.error(player.place("start"), "{}: a {} drives no faster than {}", player.name,
+                         player.spec.vehicle, exact_quantity(top, Dimension::speed));
     begin.position = resolve(s, 0, library_->reference, plan.start_where, diagnostics_);
     if (!player.own_place)
       begin.position = beside(library_->reference, begin.position, plan.lead_heading(*s.heading),
@@ -344,7 +344,7 @@ class Loader {
     const std::uint64_t step = step_at(order.at);
     if (order.lose)
       return out_->orders.push_back(model::weapon::lose_order(step, who));
-    const std::string& name = *order.swap_tree;
+    const auto& name = *order.swap_tree;
     const std::size_t fleet = out_->roster.find(who)->fleet;
     std::optional<sim::Order> given;
     if (fleet >= 2)

@@ -257,6 +257,40 @@ class OrderReader {
   OperatorOrders result_;
 };
 
+std::string why_unable(const sim::Order& one, const Scenario& scenario, const sim::World& world,
+                       std::span<const sim::Order> waiting) {
+  if (!scenario.find(world, one.player))
+    return "is no longer there";
+  const auto row = world.row(scenario.aircraft.table, one.player);
+  const auto& accepted = pilot::Outside::orders;
+  if (!row || one.step > world.step() || std::ranges::find(accepted, one.kind) == accepted.end())
+    return "";
+  pilot::Outside::Asked asked = world.rows(scenario.aircraft.tasking)[*row];
+  std::uint16_t tree = world.rows(scenario.pilots.agent)[*row].tree;
+  const auto obey = [&](const sim::Order& order) {
+    const std::size_t nodes = tree < scenario.trees->size() ? (*scenario.trees)[tree].size() : 0;
+    return pilot::Outside::obey(order, asked, {tree, nodes}) != team::Obeyed::no;
+  };
+  for (const sim::Order& before : waiting)
+    if (before.player == one.player) {
+      if (before.kind == sim::OrderKind(OrderKind::swap_tree))
+        tree = before.as<team::SwapTree>().tree;
+      else
+        obey(before);
+    }
+  if (tree == team::kNoTree)
+    return "flies by no tree: it obeys once it has one";
+  if (one.kind == sim::OrderKind(OrderKind::vote) && one.as<model::VoteChange>().tree != tree + 1)
+    return "flies by another tree";
+  if (obey(one))
+    return "";
+  return one.kind == sim::OrderKind(OrderKind::point)
+             ? fmt::format("has {} points to fly to already", model::Tasking::kPoints)
+         : one.kind == sim::OrderKind(OrderKind::vote)
+             ? fmt::format("has {} other votes already", model::Tasking::kVotes)
+             : "cannot obey that";
+}
+
 }  // namespace
 
 OperatorOrders orders_from_json(const Scenario& scenario, std::string_view text,
@@ -272,14 +306,17 @@ OperatorOrders orders_from_json(const Scenario& scenario, std::string_view text,
   return OrderReader(scenario, asked, step).read(value);
 }
 
-void leave_out_gone(OperatorOrders& asked, const Scenario& scenario, const sim::World& world) {
-  if (asked.orders.empty())
-    return;
-  const PlayerId first = asked.orders.front().player;
-  std::erase_if(asked.orders,
-                [&](const sim::Order& one) { return !scenario.find(world, one.player); });
-  if (asked.orders.empty())
-    asked.problem = scenario.roster.name(first) + " is no longer there";
+void leave_out_unable(OperatorOrders& asked, const Scenario& scenario, const sim::World& world,
+                      std::span<const sim::Order> waiting) {
+  std::string first;
+  std::erase_if(asked.orders, [&](const sim::Order& one) {
+    const std::string why = why_unable(one, scenario, world, waiting);
+    if (first.empty() && !why.empty())
+      first = fmt::format("{} {}", scenario.roster.name(one.player), why);
+    return !why.empty();
+  });
+  if (asked.orders.empty() && asked.problem.empty())
+    asked.problem = first;
 }
 
 }  // namespace eyrie::scenario

@@ -17,6 +17,7 @@
 ///     to a place of the flat map instead of its route; "more": true: after the points it has
 ///   {"order": "route", "player": "eagle1"}                 its route again
 ///
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,7 +39,9 @@ struct OperatorOrders {
 [[nodiscard]] OperatorOrders orders_from_json(const Scenario& scenario, std::string_view text,
                                               std::uint64_t step);
 
-/// Leaves those out who are no longer there; it is a problem if that is everybody.
-void leave_out_gone(OperatorOrders& asked, const Scenario& scenario, const sim::World& world);
+/// Leaves those out who are no longer there or, if it is for now, cannot obey; it is a problem if
+/// that is everybody. `waiting` was given before and is not yet carried out.
+void leave_out_unable(OperatorOrders& asked, const Scenario& scenario, const sim::World& world,
+                      std::span<const sim::Order> waiting = {});
 
 }  // namespace eyrie::scenario

@@ -179,16 +179,42 @@ TEST_F(OperatorOrder, IsForWhoIsStillThere) {
   const PlayerId lost = *scenario_->roster.find("eagle2");
   OperatorOrders one = orders(R"({"order":"lose","player":"eagle2"})");
   OperatorOrders flight = orders(R"({"order":"hand_back","flight":"eagle"})");
-  leave_out_gone(one, *scenario_, world);
+  leave_out_unable(one, *scenario_, world);
   EXPECT_EQ(one.problem, "");
   world.remove(scenario_->aircraft.table, *world.row(scenario_->aircraft.table, lost));
   world.compact();
-  leave_out_gone(one, *scenario_, world);
+  leave_out_unable(one, *scenario_, world);
   EXPECT_EQ(one.problem, "eagle2 is no longer there");
   EXPECT_TRUE(one.orders.empty());
-  leave_out_gone(flight, *scenario_, world);
+  leave_out_unable(flight, *scenario_, world);
   EXPECT_EQ(flight.problem, "");
   EXPECT_EQ(flight.orders.size(), 3u);
+}
+
+TEST_F(OperatorOrder, IsRefusedByWhoCannotObeyIt) {
+  sim::World world = scenario_->world(1);
+  std::vector<sim::Order> waiting;
+  const auto give = [&](const std::string& text) {
+    OperatorOrders one = orders_from_json(*scenario_, text, 0);
+    leave_out_unable(one, *scenario_, world, waiting);
+    waiting.insert(waiting.end(), one.orders.begin(), one.orders.end());
+    return one.problem;
+  };
+  const std::string point =
+      R"({"order":"point","player":"eagle1","east":0,"north":0,"altitude":5000,"more":true})";
+  for (std::size_t i = 0; i < model::Tasking::kPoints; ++i)
+    EXPECT_EQ(give(point), "");
+  EXPECT_EQ(give(point), "eagle1 has 4 points to fly to already");
+  EXPECT_EQ(give(R"({"order":"vote","player":"eagle1","tree":"bandit","node":"root","vote":5})"),
+            "eagle1 flies by another tree");
+
+  auto& agent = world.rows(scenario_->pilots.agent)[*world.row(scenario_->aircraft.table,
+                                                               *scenario_->roster.find("eagle2"))];
+  agent.tree = team::kNoTree;
+  const std::string manual = R"({"order":"manual","player":"eagle2","heading":1})";
+  EXPECT_EQ(give(manual), "eagle2 flies by no tree: it obeys once it has one");
+  EXPECT_EQ(give(R"({"order":"tree","player":"eagle2","tree":"veteran_patrol"})"), "");
+  EXPECT_EQ(give(manual), "");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Period period_steps(double rate, double dt) {
   if (rate < kSlowest * (1 - kRelativeSlack))
     return {0, fmt::format("{} Hz is slower than once per hour", rate)};
   if (rate > base * (1 + kRelativeSlack))
-    return {0, fmt::format("{} Hz is faster than the step, which runs at {} Hz", rate, base)};
+    return {0, fmt::format("{} Hz is faster than the step, which runs at {:.6g} Hz", rate, base)};
 
   const double exact = base / rate;
   const double nearest = std::nearbyint(exact);
@@ -27,8 +27,8 @@ Period period_steps(double rate, double dt) {
     return {0, fmt::format("{} Hz is too slow for steps of {} s", rate, dt)};
   if (std::fabs(exact - nearest) <= kRelativeSlack * exact)
     return {static_cast<std::uint32_t>(nearest), {}};
-  return {0, fmt::format("{} Hz does not divide the base rate of {} Hz; near it are {:.6g} Hz and "
-                         "{:.6g} Hz",
+  return {0, fmt::format("{} Hz does not divide the base rate of {:.6g} Hz; near it are {:.6g} Hz "
+                         "and {:.6g} Hz",
                          rate, base, base / std::ceil(exact), base / std::floor(exact))};
 }
 

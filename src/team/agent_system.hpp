@@ -212,8 +212,13 @@ class AgentSystem final : public Agents {
       ubf::TransitionLog log;
       sim::Outbox out;
       const auto& others = static_cast<const AgentSystem&>(other);  // of this platform
+      // what was said of a node goes to the one of its path
+      std::vector<ubf::NodeVote> votes;
+      for (const ubf::NodeVote& vote : m_.votes)
+        if (const auto node = tree_of(other).find(tree_of(agents_).path(vote.node)))
+          votes.push_back({*node, vote.vote});
       if (!others.deciding_.ask(tree, m_.state, info, who, {slab, tree_of(other).memory_bytes()},
-                                m_.votes, log, would, out)) {
+                                votes, log, would, out)) {
         sim::Fault fault = *out.take_fault();
         fault.step = info.step;
         return {.flown = was.leader, .other = ubf::kNone, .fields = {}, .fault = std::move(fault)};

@@ -2,11 +2,13 @@
 /// \file  Recorded runs looked at again: what is explained is what was flown.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
 #include "debrief/what_if.hpp"
+#include "pilot/outside.hpp"
 #include "support/recorded.hpp"
 #include "support/small_scenario.hpp"
 
@@ -103,6 +105,45 @@ TEST(WhatIf, SaysByHowMuch) {
   EXPECT_NEAR(std::fabs(result.first->fields[0].difference.value()), si(70, "deg"), 0.3);
   EXPECT_EQ(result.first->fields.at(2).name, "call");
   EXPECT_EQ(result.first->fields[2].other, "-");
+}
+
+TEST(WhatIf, KeepsAVoteWithItsNodeWhereverThatStands) {
+  Recorded run = recorded_flight("merge", 20);
+  const auto& trees = run.scenario->fleets.front()->trees;
+  const auto tree = std::ranges::find(trees, "dogfight", &ubf::AnyTree::name);
+  ASSERT_NE(tree, trees.end());
+  const auto node = (*tree)->find("root/ingress/navigate");
+  ASSERT_TRUE(node);
+  const PlayerId viper = *run.scenario->roster.find("viper1");
+  scenario::Mission flown(run.scenario, run.run.seed, 20);
+  const sim::Order vote = sim::order_for(
+      0, viper, pilot::OrderKind::vote,
+      model::VoteChange{.vote = 70,
+                        .number = static_cast<std::uint16_t>(*node + 1),
+                        .tree = static_cast<std::uint16_t>(tree - trees.begin() + 1)});
+  ASSERT_EQ(flown.run().submit(vote), "");
+  sim::TrailRecorder trail;
+  flown.run().attach(trail);
+  flown.fly();
+  run.run.trail = trail.trail();
+  run.run.orders = {vote};
+
+  const std::string wall = "trees.wall={winner_takes_all: [{tree: evade}, ";
+  const auto moved = with_overrides(
+      run, {wall + "{avoid_collision: {vote: 90}}, {navigate: {vote: 10, speed: 520 kt}}, "
+                   "{egress: {vote: 5}}]}"});
+  EXPECT_TRUE(votes_left_out(run, *moved).empty());
+  EXPECT_EQ(what_if(run, *moved, viper, 0).different, 0U);
+  std::string problem;
+  const auto on = branch(run, moved, past_at(run, 100), 20.0, problem);
+  ASSERT_TRUE(on) << problem;
+  on->fly();
+  EXPECT_EQ(on->after().rows(run.scenario->aircraft.kinematics)[0].heading,
+            flown.run().world().rows(run.scenario->aircraft.kinematics)[0].heading);
+
+  const auto without =
+      with_overrides(run, {wall + "{follow_lead: {vote: 20}}, {egress: {vote: 5}}]}"});
+  EXPECT_EQ(votes_left_out(run, *without), std::vector<std::string>{"root/ingress/navigate"});
 }
 
 TEST(WhatIf, BranchesIntoTheSameEndWithoutAChange) {

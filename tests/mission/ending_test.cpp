@@ -70,5 +70,21 @@ TEST(MissionEnds, AtItsTimeWhoeverIsLost) {
   expect(ending("time", {"eagle1"}), Outcome::time, 3);
 }
 
+TEST(Tally, CountsAsKillsOnlyThoseOfTheOtherSide) {
+  const auto scenario = load_scenario("sweep");
+  const auto player = [&](const char* name) { return *scenario->roster.find(name); };
+  record::Tally tally(*scenario);
+  const sim::World world = scenario->world(1);
+  const auto kill = [&](const char* who, const char* whom) {
+    const sim::Event event{
+        .kind = sim::EventKind(EventKind::kill), .who = player(who), .whom = player(whom)};
+    tally.observe(world, {.step = 1, .seed = 1, .dt = 0.02}, {&event, 1});
+  };
+  kill("eagle1", "eagle2");
+  kill("eagle1", "bogey1");
+  EXPECT_EQ(tally.players()[0].kills, 1U);
+  EXPECT_EQ(tally.side(model::Side::blue).losses, 1U);
+}
+
 }  // namespace
 }  // namespace eyrie::test

@@ -52,14 +52,14 @@ TEST(DiffProgram, ComparesThoseOfTheSameNamesByWhatTheyDecide) {
       << parted.out;
   EXPECT_FALSE(std::regex_search(parted.out, std::regex(R"(: ([^\n]+); and \1 in the other)")))
       << parted.out;
-  const auto json = nlohmann::json::parse(run_program(folder, {"diff", "a", "b", "--json"}).out);
-  const auto& world = json["world"];
+  const auto both = nlohmann::json::parse(run_program(folder, {"diff", "a", "b", "--json"}).out);
+  const auto& world = both["world"];
   EXPECT_TRUE(std::string(world["text"])
                   .starts_with(fmt::format("step {}: ", world["step"].get<std::uint64_t>())))
       << world;
   EXPECT_NEAR(world["time_s"], 0.02 * world["step"].get<double>(), 1e-9);
   // an event at the time that it has in events.csv
-  const auto& event = json["event"];
+  const auto& event = both["event"];
   ASSERT_TRUE(event.is_object()) << parted.out;
   const std::string row = fmt::format("\n{:.3f},{},", event["time_s"].get<double>(),
                                       event["step"].get<std::uint64_t>());

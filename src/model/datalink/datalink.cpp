@@ -53,6 +53,8 @@ struct Merit {
 std::string_view Datalink::problem() const {
   if (delay * rate > static_cast<double>(kMessages - 2))
     return "the delay must not be longer than two messages are apart";
+  if (timeout < delay + 1 / rate)
+    return "the timeout must not be shorter than the delay and the time between two messages";
   return {};
 }
 

@@ -102,7 +102,8 @@ struct Mate {
   std::uint32_t received = 0;       ///< messages of it looked at so far (its `sent`)
   std::uint8_t alive = 0;           ///< 1: believed alive
   std::uint8_t reported = 0;        ///< 1: position, velocity and fuel are known
-  std::uint8_t reserved[6] = {};
+  std::uint8_t called = 0;          ///< 1: by radio, without a datalink; of the rest its position
+  std::uint8_t reserved[5] = {};
 
   static constexpr auto fields() {
     return field_list(field("position", &Mate::position, "m"),
@@ -110,7 +111,7 @@ struct Mate {
                       field("time", &Mate::time, "s"), field("heard_time", &Mate::heard_time, "s"),
                       field("id", &Mate::id), field("received", &Mate::received),
                       field("alive", &Mate::alive), field("reported", &Mate::reported),
-                      field("reserved", &Mate::reserved));
+                      field("called", &Mate::called), field("reserved", &Mate::reserved));
   }
 };
 

@@ -91,6 +91,8 @@ TEST(Datalink, RefusesADelayLongerThanItsRing) {
   EXPECT_EQ(Datalink{}.problem(), "");
   EXPECT_EQ((Datalink{.rate = 1, .delay = 2}.problem()), "");
   EXPECT_NE((Datalink{.rate = 2, .delay = 1.5}.problem()), "");
+  EXPECT_NE((Datalink{.rate = 0.05, .timeout = 5}.problem()), "") << "every mate would be lost";
+  EXPECT_NE((Datalink{.rate = 0.5, .delay = 4, .timeout = 2}.problem()), "");
 }
 
 TEST(Datalink, NothingComesThroughOutOfReachAndTheLostStayLost) {

@@ -116,12 +116,16 @@ void read_datalink(const Scene& scene, Self& self) {
     if (i == state.self)
       continue;
     const auto row = scene.world.row(scene.table, mate.id);
-    // without a datalink a mate calls on the radio, and one that is gone does not answer
-    if (datalink == nullptr) {
+    // without a datalink, here or there, a mate calls on the radio, and one that is gone does not
+    if (datalink == nullptr)
       mate.alive = row.has_value();
+    if (row && (datalink == nullptr || scene.suite(*row).datalink == nullptr)) {
+      mate.called = 1;
+      mate.position = scene.kinematics[*row].position;
+      mate.heard_time = scene.time;
       continue;
     }
-    if (!row)
+    if (!row || datalink == nullptr)
       continue;
     if (scene.sent[*row].sent == mate.received)
       continue;  // nothing since the last look
