@@ -8,6 +8,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "debrief/look.hpp"
+#include "debrief/moved_votes.hpp"
 #include "debrief/what_if.hpp"
 #include "locate.hpp"
 #include "record/json_text.hpp"

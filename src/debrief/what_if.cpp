@@ -2,7 +2,7 @@
 #include "debrief/what_if.hpp"
 
 #include "core/yaml.hpp"
-#include "pilot/outside.hpp"
+#include "debrief/moved_votes.hpp"
 
 namespace eyrie::debrief {
 namespace {
@@ -142,40 +142,6 @@ void remember(const Recorded& recorded, const scenario::Scenario& other, sim::Wo
         player.look(flight, [](const auto&, const auto&) {});
   }
   each_row([&](std::size_t, std::size_t row, std::size_t n) { players[n].remember(world, row); });
-}
-
-/// The node of the path that node `number` - 1 has in a flown tree, as a number in the other one; 0
-/// if it has none.
-std::uint16_t moved(const scenario::Scenario& flown, const scenario::Scenario& other,
-                    std::uint16_t tree, std::uint16_t number) {
-  const auto &mine = flown.fleets.front()->trees, &theirs = other.fleets.front()->trees;
-  if (number == 0 || tree >= mine.size() || tree >= theirs.size() || number > mine[tree]->size())
-    return number;
-  const auto node = theirs[tree]->find(mine[tree]->path(static_cast<ubf::NodeIndex>(number - 1)));
-  return node ? static_cast<std::uint16_t>(*node + 1) : 0;
-}
-
-const model::VoteChange* vote_in(const sim::Order& order, model::VoteChange& room) {
-  if (order.kind != sim::OrderKind(pilot::OrderKind::vote))
-    return nullptr;
-  room = order.as<model::VoteChange>();
-  return room.tree > 0 ? &room : nullptr;
-}
-
-/// Votes given before, at the nodes of the other trees.
-void move_votes(const scenario::Scenario& flown, const scenario::Scenario& other,
-                sim::World& world) {
-  const auto agents = world.rows(other.pilots.agent);
-  const auto asked = world.rows(other.aircraft.tasking);
-  for (std::size_t row = 0; row < asked.size(); ++row) {
-    auto& votes = asked[row].votes;
-    for (model::VoteChange& vote : votes)
-      vote.number = moved(flown, other, agents[row].tree, vote.number);
-    std::fill(std::ranges::stable_partition(
-                  votes, [](const model::VoteChange& v) { return v.number != 0; })
-                  .begin(),
-              votes.end(), model::VoteChange{});
-  }
 }
 
 /// The tree that a player begins with.
@@ -355,18 +321,6 @@ std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown) {
   return recorded.until();
 }
 
-std::vector<std::string> votes_left_out(const Recorded& recorded, const scenario::Scenario& other) {
-  std::vector<std::string> paths;
-  for (const sim::Order& order : recorded.run.orders)
-    if (model::VoteChange vote; vote_in(order, vote)) {
-      const auto tree = static_cast<std::uint16_t>(vote.tree - 1);
-      if (moved(*recorded.scenario, other, tree, vote.number) == 0)
-        paths.push_back(recorded.scenario->fleets.front()->trees[tree]->path(
-            static_cast<ubf::NodeIndex>(vote.number - 1)));
-    }
-  return paths;
-}
-
 Branch::Branch(const Recorded& recorded, std::shared_ptr<const scenario::Scenario> other,
                const Past& past, std::optional<double> until)
     : tally_(*recorded.scenario), before_(past.world) {
@@ -374,16 +328,10 @@ Branch::Branch(const Recorded& recorded, std::shared_ptr<const scenario::Scenari
     tally_.observe(past.world, happened.info, happened.events);
   const double end = until.value_or(other->spec.until);
   mission_.emplace(std::move(other), past.world, end, tally_.side(model::Side::blue).home > 0);
-  for (sim::Order order : recorded.run.orders) {
-    model::VoteChange vote;
-    if (vote_in(order, vote)) {
-      vote.number = moved(*recorded.scenario, mission_->scenario(),
-                          static_cast<std::uint16_t>(vote.tree - 1), vote.number);
-      order = sim::order_for(order.step, order.player, pilot::OrderKind::vote, vote);
-    }
+  for (const sim::Order& order : recorded.run.orders)
     if (order.step >= before_.step())
-      static_cast<void>(mission_->run().submit(order));
-  }
+      static_cast<void>(
+          mission_->run().submit(moved_vote(*recorded.scenario, mission_->scenario(), order)));
   mission_->run().attach(tally_);
 }
 

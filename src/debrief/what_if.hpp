@@ -69,10 +69,6 @@ struct Outcome {
 /// When flights are over that are compared with this run, which ended as `flown` (s): with it
 /// unless its sides ended it, which says nothing of the others: as the scenario says.
 [[nodiscard]] std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown);
-/// The paths of nodes that were given another vote and that another scenario's trees do not have.
-[[nodiscard]] std::vector<std::string> votes_left_out(const Recorded& recorded,
-                                                      const scenario::Scenario& other);
-
 /// A run flown on from one of its worlds with the trees and models of another scenario.
 class Branch {
  public:
