@@ -167,7 +167,7 @@ TEST(Announcer, SaysHowAWeaponEnded) {
   for (const auto& [time, end] : sweep().listener.of<Detonation>())
     ends.try_emplace(end.munition.entity, end);
   const auto kills = sweep().flight.log.of(EventKind::kill);
-  ASSERT_EQ(kills.size(), 2u);
+  ASSERT_EQ(kills.size(), 3u);
   for (const auto& kill : kills)
     EXPECT_EQ(ends.at(kill.event.detail).result, Result::proximate);
   for (const auto& fuze : sweep().flight.log.of(EventKind::detonation)) {
@@ -245,8 +245,13 @@ TEST(Announcer, TakesLeaveOfEverybody) {
     EXPECT_EQ(last[state.id.entity] & kDeactivated, 0u) << "nothing is told of who has left";
     last[state.id.entity] = state.appearance;
   }
-  for (const auto& [id, appearance] : last)  // four came home, the others were lost
-    EXPECT_EQ(appearance, id <= 4 ? kDeactivated : kDeactivated | kDestroyed) << id;
+  const auto home = sweep().flight.log.of(model::EventKind::home);
+  ASSERT_EQ(home.size(), 3u);
+  for (const auto& [id, appearance] : last) {
+    const bool is_home = std::any_of(home.begin(), home.end(),
+                                     [&](const auto& h) { return h.event.who.value == id; });
+    EXPECT_EQ(appearance, is_home ? kDeactivated : kDeactivated | kDestroyed) << id;
+  }
   EXPECT_EQ(last.size(), 6 + sweep().events(model::EventKind::launch));
   ASSERT_EQ(sweep().listener.of<StartResume>().size(), 1u);
   ASSERT_EQ(sweep().listener.of<StopFreeze>().size(), 1u);

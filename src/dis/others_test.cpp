@@ -130,7 +130,7 @@ struct Both {
 };
 
 TEST(Others, FlyOneMissionFromTwoProgramsAndTellTheSameStory) {
-  Both both("merge");
+  Both both("merge_learned");
   both.fly(600);
   EXPECT_EQ(both.blue.kills(), both.red.kills());
   EXPECT_EQ(both.blue.shots(), both.red.shots());

@@ -16,7 +16,7 @@ Ran asked(const std::vector<std::string>& arguments) {
   struct Merge {
     TempFolder folder;
     Merge() {
-      EXPECT_EQ(run_program(folder, {"fly", "merge", "--seed", "1", "--set", "ends=time", "--until",
+      EXPECT_EQ(run_program(folder, {"fly", "merge", "--seed", "7", "--set", "ends=time", "--until",
                                      "9 min", "--quiet", "--no-debrief", "--out", "m"})
                     .code,
                 0);
