@@ -205,8 +205,9 @@ TEST_F(OperatorOrder, IsRefusedByWhoCannotObeyIt) {
   for (std::size_t i = 0; i < model::Tasking::kPoints; ++i)
     EXPECT_EQ(give(point), "");
   EXPECT_EQ(give(point), "eagle1 has 4 points to fly to already");
-  EXPECT_EQ(give(R"({"order":"vote","player":"eagle1","tree":"veteran_patrol","node":"root","vote":5})"),
-            "eagle1 flies by another tree");
+  EXPECT_EQ(
+      give(R"({"order":"vote","player":"eagle1","tree":"veteran_patrol","node":"root","vote":5})"),
+      "eagle1 flies by another tree");
 
   auto& agent = world.rows(scenario_->pilots.agent)[*world.row(scenario_->aircraft.table,
                                                                *scenario_->roster.find("eagle2"))];
