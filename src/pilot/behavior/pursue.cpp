@@ -78,9 +78,15 @@ double Pursue::steadied(const State& s, const Seen& target, double heading) cons
   // what the error of his velocity makes of the collision course
   const double unsure =
       static_cast<double>(target.track->velocity_sigma) / std::max(s.own.speed, 1.0);
-  const bool same = s.command.mode == model::AutopilotMode::hold &&
-                    std::fabs(angle_between(s.command.heading, heading)) < dead_band_ + unsure;
-  return wrap_tau(target.range > level_range_ && same ? s.command.heading : heading);
+  const auto near = [&](double flown) {
+    return std::fabs(angle_between(flown, heading)) < dead_band_ + unsure;
+  };
+  if (target.range <= level_range_ || s.command.mode != model::AutopilotMode::hold)
+    return wrap_tau(heading);
+  // nor is it one to turn back from a turn that has just begun: that is only ended
+  return wrap_tau(near(s.command.heading) ? s.command.heading
+                  : near(s.own.heading)   ? s.own.heading
+                                          : heading);
 }
 
 Status Pursue::tick(const Tick& t, Proposal& out) const {

@@ -23,7 +23,8 @@ constexpr auto names_of(Pursuit) {
 /// It keeps its energy (pilot/fight.hpp): near `least_mach` it turns no harder than full power
 /// sustains, and below it neither climbs nor pulls until it is faster. Beyond `level_range` a new
 /// heading is flown only when it differs by more than `dead_band` and what the error of the
-/// track's velocity makes of it, and with `far_load_factor` at most: errors are no reason to turn.
+/// track's velocity makes of it, from the one that is flown to and from the own: there a turn ends.
+/// And with `far_load_factor` at most: errors are no reason to turn.
 class Pursue final : public Maneuver {
  public:
   static constexpr std::string_view type_name = "pursue";

@@ -139,6 +139,20 @@ TEST(Pursue, StaysClearOfAMateOfABetterRank) {
   EXPECT_NEAR(*decide(tree, desk).action().altitude, alone - 200, 1e-9);
 }
 
+TEST(Pursue, RollsOutInsteadOfTurningBackForAnErrorOfTheTrack) {
+  Desk desk;
+  desk.track({60e3, 0, 0}, 0, 100);
+  desk.command.mode = model::AutopilotMode::hold;
+  const auto heading = [&](double commanded, double own) {
+    desk.command.heading = commanded * kDegree;
+    desk.own.heading = own * kDegree;
+    return wrap_pi(*decide("{pursue: {dead_band: 10 deg}}", desk).action().heading) / kDegree;
+  };
+  EXPECT_NEAR(heading(8, 2), 8, 1e-9) << "north, but for what is no reason to turn";
+  EXPECT_NEAR(heading(20, 5), 5, 1e-9) << "the turn to the right is ended, none to the left begun";
+  EXPECT_NEAR(heading(40, 25), 0, 1e-9);
+}
+
 RC_GTEST_PROP(Pursue, MeetsATargetThatKeepsItsCourse, ()) {
   Desk desk;
   desk.track({double(*rc::gen::inRange(-50, 51)) * 1000 + 500,
