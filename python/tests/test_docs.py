@@ -63,11 +63,10 @@ def test_the_options_of_environments_are_ones() -> None:
 
 def test_the_orders_are_ones() -> None:
     orders = (Path(os.environ["EYRIE_PROGRAM_HOME"]) / "docs" / "live.md").read_text()
-    world = eyrie.load("sweep").world()
     found = re.findall(r'"order":"(?:tree|vote)",[^`}]*', orders)
     assert len(found) == 2
     for one in found:
-        world.order(**ast.literal_eval(f"{{{one}}}"))
+        eyrie.load("sweep").world().order(**ast.literal_eval(f"{{{one}}}"))
 
 
 def test_the_fields_of_an_action_are_all_of_them() -> None:
