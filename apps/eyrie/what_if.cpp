@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  whatif: another tree or parameter for a recorded run.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "campaign/in_order.hpp"
@@ -207,7 +208,8 @@ int what_if(const WhatIfOptions& options) {
         "eyrie: the vote given to {} from outside is left out: with this change there is no "
         "such node\n",
         node);
-  const std::size_t given = recorded.run.orders.size() - recorded.scenario->orders.size();
+  const std::size_t all = recorded.run.orders.size(), own = recorded.scenario->orders.size();
+  const std::size_t given = all - std::min(all, own);
   if (options.seeds > 0 && given > 0)
     complain("eyrie: --seeds: {} from outside {} left out: other seeds fly without\n",
              counted(given, "order"), given == 1 ? "is" : "are");

@@ -197,7 +197,9 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
        ", PRIMARY KEY (player_id, node_id, from_step)) WITHOUT ROWID"});
 
   const std::string time = fmt::format("one.step * {}", step);
-  all.push_back({"decisions", "Every decision with its action.",
+  all.push_back({"decisions",
+                 "Every decision with the action that its tree recommends; what somebody outside "
+                 "asked for instead is told by the events order.",
                  with(decision_columns(), action(columns, false)), "",
                  fmt::format("{}SELECT {} AS time_s, one.step, p.name AS player, root.tree,\n"
                              "  {} AS status, coalesce(own.vote, own_form.vote) AS vote,\n  "

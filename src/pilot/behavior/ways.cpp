@@ -39,7 +39,8 @@ Status Egress::tick(const Tick& t, Proposal& out) const {
   if (!distance)
     return fails(t, "the flight has no home");
   const Vec3& home = *s.flight.home;
-  // no nearer than the circle that it will fly there
+  // no nearer than the circle that it will fly there; at 1 g, where there is no turn, twice the
+  // square of its speed over g
   const double turn = s.own.speed * s.own.speed /
                       (model::kGravity * std::sqrt(load_factor_ * load_factor_ - 1 + 0.25));
   const double arrival = std::max({arrival_, 1.25 * s.guidance().loiter_radius, turn});

@@ -83,6 +83,14 @@ std::string problem_with(const ActionFieldInfo& field, std::optional<double> min
   return {};
 }
 
+/// Whether a direction is on an arc, its ends and what rounds to them included.
+bool is_on_arc(double x, double min, double max) {
+  constexpr double kRounding = 1e-9;
+  const double past = wrap_tau(x - min);
+  return max - min >= kTau - kRounding ||  // all of the circle, as from 0 to 360 deg
+         past <= wrap_tau(max - min) + kRounding || past >= kTau - kRounding;
+}
+
 /// How probable it is that what comes of a command lies so many steps off it: normal, to three
 /// standard deviations.
 void set_spread(AnyGrid::Axis& axis) {
@@ -153,8 +161,7 @@ const char* AnyBounds::why_not(const void* action) const {
     if (!x)
       continue;
     const auto& [_, min, max, refusal] = limits;
-    const bool circle = field.is_direction && *max - *min >= kTau - 1e-9;  // as from 0 to 360 deg
-    const bool inside = field.is_direction ? circle || wrap_tau(*x - *min) <= wrap_tau(*max - *min)
+    const bool inside = field.is_direction ? is_on_arc(*x, *min, *max)
                                            : (!min || *x >= *min) && (!max || *x <= *max);
     if (!inside || *x != *x)
       return refusal.c_str();

@@ -106,6 +106,16 @@ TEST(Bounds, OfADirectionAreAnArcClockwise) {
     EXPECT_FALSE(bounds.hold({.heading = radians(deg)})) << deg;
 }
 
+TEST(Bounds, OfAnArcIncludeItsEndsHoweverTheyAreWritten) {
+  for (int min = -360; min < 360; min += 10) {
+    Bounds<Action> bounds;
+    ASSERT_EQ(bounds.set("heading", radians(min), radians(min + 20)), "");
+    for (const int turns : {-360, 0, 360})
+      for (const int inside : {0, 10, 20})
+        EXPECT_TRUE(bounds.hold({.heading = radians(min + inside + turns)})) << min << inside;
+  }
+}
+
 TEST(Bounds, LetNoNanPass) {
   Bounds<Action> bounds;
   bounds.set("altitude", 100, std::nullopt);
