@@ -2,6 +2,7 @@
 #include "pilot/behavior/pursue.hpp"
 
 #include "model/flight/guidance.hpp"
+#include "model/weapon/stores.hpp"
 #include "pilot/gunnery.hpp"
 #include "pilot/sort.hpp"
 
@@ -25,6 +26,13 @@ Vec3 collision_course(const State& s, const Seen& target) {
 }
 
 }  // namespace
+
+double Pursue::heading_of_choice(const State& s, const Seen& target) const {
+  const double course = bearing_of(collision_course(s, target)), bearing = bearing_of(target.ned);
+  const double lead = angle_between(bearing, course);
+  const bool is_near = target.range <= level_range_ && model::weapon::missiles_left(s.stores) > 0;
+  return is_near ? bearing + std::clamp(lead, -near_lead_, near_lead_) : course;
+}
 
 double Pursue::altitude_of_choice(const State& s, const Seen& target) const {
   if (altitude_ && target.range > level_range_)
@@ -123,7 +131,7 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
     action.heading = steadied(s, *target, bearing + side * crank_);
     return Status::running;
   }
-  action.heading = steadied(s, *target, bearing_of(collision_course(s, *target)));
+  action.heading = steadied(s, *target, heading_of_choice(s, *target));
   if (mode_ == Pursuit::lead && target->range <= gun_range_ && clear == 0)
     if (const auto& sight = s.gun_sight(*target))
       aim(s, sight->aim, {*action.load_factor, load_factor_, *action.speed, floor_}, action);

@@ -20,6 +20,10 @@ constexpr auto names_of(Pursuit) {
 /// missile. (The behavior `crank` heeds the gimbal and the seeker, too.) Mates of a better rank
 /// have the right of way: nearer than `separation` to one, it goes above or below.
 ///
+/// Nearer than `level_range`, and with a missile on board, the collision course leads by
+/// `near_lead` at most: of a target that beams it would keep the nose so far off that no missile
+/// may leave.
+///
 /// It keeps its energy (pilot/fight.hpp): near `least_mach` it turns no harder than full power
 /// sustains, and below it neither climbs nor pulls until it is faster. Beyond `level_range` a new
 /// heading is flown only when it differs by more than `dead_band` and what the error of the
@@ -43,6 +47,9 @@ class Pursue final : public Maneuver {
                   "kept while the target is farther than level_range; null: the target's altitude"),
             param("level_range", &P::level_range_, "m", range(0, 500e3),
                   "nearer than this it goes to the target's altitude"),
+            param("near_lead", &P::near_lead_, "rad", range(0, 90, "deg"),
+                  "modes intercept and lead: a target nearer than level_range is led by so much at "
+                  "most while a missile is on board"),
             param("behind", &P::behind_, "m", range(0, 50e3),
                   "mode follow: place behind the target"),
             param("gun_range", &P::gun_range_, "m", range(0, 10e3),
@@ -67,6 +74,8 @@ class Pursue final : public Maneuver {
 
  private:
   void follow(const State& s, const Seen& target, double altitude, Action& action) const;
+  /// Of the collision course, or as much of its lead as leaves a missile's target before the nose.
+  [[nodiscard]] double heading_of_choice(const State& s, const Seen& target) const;
   [[nodiscard]] double altitude_of_choice(const State& s, const Seen& target) const;
   [[nodiscard]] double speed_of_choice(const State& s, const Seen& target) const;
   [[nodiscard]] double clearance(const State& s) const;
@@ -76,6 +85,7 @@ class Pursue final : public Maneuver {
   Pursuit mode_ = Pursuit::intercept;
   std::optional<double> overtake_, altitude_;
   double level_range_ = si(15, "nmi");
+  double near_lead_ = si(30, "deg");
   double behind_ = si(1, "nmi");
   double gun_range_ = 2500;
   double dead_band_ = si(10, "deg");

@@ -32,6 +32,21 @@ TEST(Pursue, FliesTheCollisionCourse) {
   EXPECT_EQ(d.proposal.vote, 40);
 }
 
+TEST(Pursue, KeepsANearTargetWhereAMissileMayLeave) {
+  const std::string tree = "{pursue: {mode: intercept, near_lead: 20 deg, level_range: 8 km}}";
+  for (const double side : {-1.0, 1.0}) {
+    Desk desk;
+    desk.track({9e3, 0, 0}, side * kPi / 2, 200);
+    const double course = std::asin(200.0 / 250.0);
+    EXPECT_NEAR(angle_between(0, *decide(tree, desk).action().heading), side * course, 0.01);
+    desk.tracks.tracks[0].position.x = 7e3;
+    EXPECT_NEAR(angle_between(0, *decide(tree, desk).action().heading), side * 20 * kDegree, 1e-9);
+    desk.stores = {};
+    EXPECT_NEAR(angle_between(0, *decide(tree, desk).action().heading), side * course, 0.01)
+        << "with the gun alone it goes there first";
+  }
+}
+
 TEST(Pursue, GoesStraightAtATargetThatItCannotCatch) {
   Desk desk;
   desk.track({20e3, 20e3, 0}, kPi / 2, 600);
@@ -160,7 +175,8 @@ RC_GTEST_PROP(Pursue, MeetsATargetThatKeepsItsCourse, ()) {
              *rc::gen::inRange(0, 628) / 100.0, 200);
   const State state = desk.state();
   const Seen& seen = state.seen[0];
-  const double heading = *decide("{pursue: {dead_band: 0}}", desk).action().heading;
+  const double heading =
+      *decide("{pursue: {dead_band: 0, near_lead: 90 deg}}", desk).action().heading;
   const auto time = time_to_meet(seen.ned, state.velocity_of(seen), 250);
   RC_ASSERT(time.has_value());  // it is the faster one
   const Vec3 there = *time * 250 * Vec3{std::cos(heading), std::sin(heading), 0};
