@@ -46,7 +46,8 @@ constexpr std::array kInfos = [] {
       {missile_warning, "missile_warning", "who is warned of the missile whom.", {{kBearing}}},
       {release,
        "release",
-       "who has decided to shoot at whom: the store is being made ready. A `launch` follows.",
+       "who has decided to shoot at whom: the store is being made ready. A `launch` follows, if "
+       "who lives.",
        {{kStore, kBelieved}}},
       {launch, "launch", "The missile who leaves its shooter towards whom.", {{kBelieved, kStore}}},
       {seeker_active,

@@ -14,13 +14,16 @@ struct Shot {
   double since = 0;         ///< s, when it left
   double until = 0;         ///< s, when it will have arrived
   TrackId track{};          ///< at whom; none: an empty place
-  std::uint32_t store = 0;  ///< index of the missile type in the Library
+  std::uint16_t store = 0;  ///< index of the missile type in the Library
+  std::uint8_t active = 0;  ///< 1: its own seeker is on, as he reckons; that is not taken back
+  std::uint8_t reserved = 0;
 
   [[nodiscard]] constexpr bool flies(double time) const { return track && time < until; }
 
   static constexpr auto fields() {
     return field_list(field("since", &Shot::since, "s"), field("until", &Shot::until, "s"),
-                      field("track", &Shot::track), field("store", &Shot::store));
+                      field("track", &Shot::track), field("store", &Shot::store),
+                      field("active", &Shot::active), field("reserved", &Shot::reserved));
   }
 };
 

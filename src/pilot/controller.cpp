@@ -2,6 +2,7 @@
 #include "pilot/controller.hpp"
 
 #include "model/weapon/stores.hpp"
+#include "pilot/danger.hpp"
 #include "pilot/shots.hpp"
 
 namespace eyrie::pilot {
@@ -70,8 +71,11 @@ void account_for_shots(const State& state, Agent& agent) {
     *oldest = {.since = state.time,
                .until = state.time + (target ? time_of_flight(state, *target, missile) : 0.0),
                .track = agent.asked_track,
-               .store = agent.asked_store};
+               .store = static_cast<std::uint16_t>(agent.asked_store)};
   }
+  for (Shot& shot : agent.shots)
+    if (shot.flies(state.time) && support_left(state, shot).value_or(1) <= 0)
+      shot.active = 1;
   agent.missiles = left;
 }
 

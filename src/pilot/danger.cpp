@@ -124,7 +124,7 @@ bool exposed(const State& s, double factor) {
 
 std::optional<double> support_left(const State& s, const Shot& shot) {
   const model::MissileType& type = s.library.missiles[shot.store];
-  if (type.locks_before_launch())
+  if (type.locks_before_launch() || shot.active != 0)
     return 0;
   const Seen* target = s.find(shot.track);
   if (target == nullptr)

@@ -140,6 +140,17 @@ TEST(SupportNeeded, TurnsIntoShotActiveWhenTheSeekerIsOn) {
   EXPECT_FALSE(holds("shot_active", desk)) << "the second one still needs it";
 }
 
+TEST(SupportNeeded, IsNotNeededAgainForASeekerThatWasOn) {
+  Desk desk;
+  model::Track& track = desk.track({60e3, 0, 0});
+  desk.agent.shots[0] = {.until = desk.time + 3, .track = track.id, .store = kMedium};
+  account_for_shots(desk.state(), desk.agent);
+  track.velocity = {-9000, 0, 0};  // an error of the track: the seeker would not be on yet
+  EXPECT_FALSE(holds("support_needed", desk));
+  desk.agent.shots[0].active = 0;
+  EXPECT_TRUE(holds("support_needed", desk));
+}
+
 TEST(SupportLeft, IsNoneForAnInfraredMissileAndInVainWithoutATrack) {
   Desk desk;
   desk.track({60e3, 0, 0});

@@ -97,9 +97,11 @@ class Equations {
         math::max(push_limit, 0));
     const auto [pitch, roll] = math::sin_cos(k.pitch, k.roll);
     Lift lift{0, 0, 0};
-    if (math::any(wanted.aims))
+    // out of a steep climb, too: letting go bends no path that stands upright
+    const Mask aims = wanted.aims | (pitch.sin > kSteep);
+    if (math::any(aims))
       lift = lift_towards(k, pitch, wanted, most);
-    if (math::any(!wanted.aims)) {  // upwards first
+    if (math::any(!aims)) {  // upwards first
       const Real climb = wanted_climb(k, c, wanted, most, speed_wanted, slowest, fastest, power);
       const Real climb_rate =
           (climb - pitch.sin) / (each(&Autopilot::climb_time) * math::max(pitch.cos, 0.1));
@@ -109,9 +111,9 @@ class Equations {
           wanted.turn_rate;
       const Real room = math::sqrt(math::max(most * most - upwards * upwards, 0));
       const Real sideways = math::clamp(speed * pitch.cos * turn_rate / kGravity, -room, room);
-      lift = {math::select(wanted.aims, lift.upwards, upwards),
-              math::select(wanted.aims, lift.sideways, sideways),
-              math::select(wanted.aims, lift.above, math::max(upwards, kLevelLift))};
+      lift = {math::select(aims, lift.upwards, upwards),
+              math::select(aims, lift.sideways, sideways),
+              math::select(aims, lift.above, math::max(upwards, kLevelLift))};
     }
 
     // bank to that lift; while rolling, pull only what lies along the lift axis already
@@ -236,6 +238,7 @@ class Equations {
   using SinCos = math::SinCosOf<Real>;
   static constexpr double kLeastSpeed = 1;   ///< m/s: a direction of flight must exist
   static constexpr double kLevelLift = 0.3;  ///< g: who lets the nose fall banks as with so much
+  static constexpr double kSteep = 0.8;      ///< sine of a climb angle of 53 degrees
   /// Lift that is wanted, in g: upwards across the path, to the right, and upwards for the bank.
   struct Lift {
     Real upwards, sideways, above;

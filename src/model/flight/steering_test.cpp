@@ -285,6 +285,28 @@ TEST(Steering, GoesOverTheTopToWhatIsRightBehindAndAbove) {
   EXPECT_LT(aside, 150);
 }
 
+/// Handed over while it stands upright, as by a maneuver that another behavior ends.
+TEST(Steering, PullsOutOfASteepClimbInsteadOfHangingInIt) {
+  for (const double heading : {0.0, 2.0, kPi}) {
+    TestFlight f(simple_airframe());
+    f.start(5000, 0, 300);
+    f.command = {.speed = 300, .climb = radians(85), .load_factor = 7};
+    f.command.mode = AutopilotMode::aim;
+    while (f.kinematics.pitch < radians(80))
+      f.step();
+    f.command = {.heading = heading, .altitude = 7500, .speed = 250, .load_factor = 3};
+    double slowest = 1e9;
+    for (int i = 0; i < 50 * 25; ++i) {
+      f.step();
+      slowest = std::min(slowest, f.kinematics.speed);
+      if (i > 50 * 12) {
+        EXPECT_LT(std::fabs(f.kinematics.pitch), radians(45)) << heading;
+      }
+    }
+    EXPECT_GT(slowest, 90) << heading;
+  }
+}
+
 TEST(Steering, LetsGoInsteadOfRollingOverForALittleDownwards) {
   TestFlight f(simple_airframe());
   f.command.climb = radians(-8);

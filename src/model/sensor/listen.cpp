@@ -95,7 +95,8 @@ void listen_for_seekers(const Scene& scene, Self& self) {
     Sighting sighting{.bearing = known != nullptr ? known->bearing : warning.bearing,
                       .truth = emitter,
                       .emitter = emitter,
-                      .source = kThreatFromRwr};
+                      .source = kThreatFromRwr,
+                      .begins_anew = known != nullptr && !has_line(*known)};
     if (const auto left = known != nullptr ? time_to_go(*known, rwr) : std::nullopt)
       sighting.arrival = scene.time + *left;
     if (threats.note(sighting))

@@ -93,11 +93,15 @@ void filter_level(RwrWarning& known, const RwrWarning& look) {
 
 }  // namespace
 
+bool has_line(const RwrWarning& warning) {
+  return warning.looks >= kRememberedLooks;
+}
+
 std::optional<double> time_to_go(const RwrWarning& warning, const Rwr& rwr) {
   constexpr double kTolerated = 0.1;
   constexpr double kNepersPerDecibel = 0.1151292546497023;  // ln(10) / 20
   constexpr double n = kRememberedLooks;
-  if (warning.kind != EmissionKind::missile_seeker || warning.looks < kRememberedLooks ||
+  if (warning.kind != EmissionKind::missile_seeker || !has_line(warning) ||
       warning.faintness_rate >= 0)
     return std::nullopt;
   const double left = std::max(warning.faintness, 0.0) / -warning.faintness_rate;

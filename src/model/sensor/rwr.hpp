@@ -111,9 +111,12 @@ struct RwrAntenna {
                               const Emission& emission, double strength, PlayerId emitter,
                               double time, Draw draw);
 
+/// Whether the line through the levels of a signal has all its looks (3 s).
+[[nodiscard]] bool has_line(const RwrWarning& warning);
+
 /// s from the last look until a missile's seeker is here, if it comes straight here with the speed
 /// that it has: the faintness, which is in proportion to its range, is gone then. Nothing before
-/// the line has all its looks (3 s), for a beam that just swings over grows, too; while the
+/// the line has all its looks, for a beam that just swings over grows, too; while the
 /// error of the estimate is beyond 10 %; and for one that goes away. Who is
 /// aside of a beam that rests on a mate, d metres from the line between him and the emitter that
 /// comes at speed V, sees a value that does not fall far below 4.32 d / (beam width V): he leaves

@@ -41,7 +41,8 @@ bool ThreatUpdate::note(const Sighting& sighting) {
   missile.sources = static_cast<std::uint8_t>(missile.sources | sighting.source);
   if (sighting.emitter) {
     missile.emitter = sighting.emitter;
-    missile.arrival = sighting.arrival;
+    if (!sighting.begins_anew || time_ > missile.arrival + rules_.late)
+      missile.arrival = sighting.arrival;
   }
 
   // the eye's bearing is the better one for as long as it is fresh

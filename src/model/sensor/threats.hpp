@@ -67,12 +67,15 @@ struct Sighting {
   ThreatSource source = kThreatFromRwr;
   bool has_position = false;
   bool closing = false;
+  /// The line through its levels has begun anew, and says nothing of its arrival yet.
+  bool begins_anew = false;
 };
 
 /// How sightings become threats.
 struct ThreatRules {
   double gate = radians(30);  ///< rad, bearings closer than this may be the same missile
   double memory = 4;          ///< s, a threat that nobody has perceived for so long is gone
+  double late = 1;            ///< s, a missile may come so much later than its signal told
 };
 
 /// The threats of one look of one sensor: each threat takes at most one sighting of it, so two

@@ -97,6 +97,28 @@ TEST(ThreatUpdate, TellsSeekersApartByTheirFingerprints) {
   EXPECT_EQ(threats.missiles[1].arrival, 12);
 }
 
+TEST(ThreatUpdate, KeepsAnArrivalWhileTheLineOfItsSignalBeginsAnew) {
+  Threats threats;
+  Sighting missile = heard(40);
+  missile.emitter = PlayerId{7};
+  const auto arrival = [&](double time) {
+    ThreatUpdate(threats, kRules, time).note(missile);
+    return threats.missiles[0].arrival;
+  };
+  missile.arrival = 12;
+  EXPECT_EQ(arrival(9), 12);
+  missile.arrival = 0;
+  missile.begins_anew = true;  // a hard turn of one of the two
+  EXPECT_EQ(arrival(9.2), 12);
+  EXPECT_EQ(arrival(12.9), 12);
+  EXPECT_EQ(arrival(13.1), 0) << "it was another's";
+  missile.arrival = 16;
+  missile.begins_anew = false;
+  EXPECT_EQ(arrival(13.3), 16);
+  missile.arrival = 0;
+  EXPECT_EQ(arrival(13.5), 0) << "its signal does not grow: it goes away";
+}
+
 TEST(ForgetThreats, DropsTheOldAndTheOldRange) {
   Threats threats;
   ThreatUpdate(threats, kRules, 0).note(seen(10, 3000));

@@ -178,7 +178,7 @@ TEST(LearnedVote, TellsWhoeverTracesWhatTheNetworkSaid) {
   EXPECT_TRUE(std::isnan(trace.given_vote(0)));
   EXPECT_EQ(trace.row(1).proposal.vote, 90) << "its own";
   const auto nodes = team::answers(team::unanswered(flown), flown, trace);
-  const team::Won speed = team::contest(nodes, team::winners(trace)).at(0);
+  const team::Won speed = team::contest(nodes).at(0);
   EXPECT_EQ(speed.winner, 2);
   EXPECT_EQ(speed.rivals.at(0).against, 75);
   EXPECT_EQ(speed.rivals.at(0).vote, 50) << "that of the network decided";
