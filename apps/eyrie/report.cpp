@@ -95,13 +95,15 @@ namespace {
 
 std::string pacing_text(const Timing& timing) {
   const net::Pacing& p = *timing.pacing;
-  const net::Histogram &late = p.late(), &work = p.work();
+  const net::Histogram& late = p.late();
   std::string text = fmt::format(
-      "by the clock: {} of {} frames of {:.4g} ms missed; begun late by {:.2f} ms (p50), {:.2f} "
+      "by the clock: {} of {} frames{} missed; begun late by {:.2f} ms (p50), {:.2f} "
       "(p99), {:.2f} (p99.9), {:.2f} at most; load {:.1f} %, {:.0f} % at most; {} others{}\n",
-      p.missed(), p.frames(), p.frame() * 1e3, late.percentile(0.5) * 1e3,
-      late.percentile(0.99) * 1e3, late.percentile(0.999) * 1e3, late.max() * 1e3, 100 * p.load(),
-      100 * work.max() / p.frame(), timing.came_first ? "before all" : "no sooner than",
+      p.missed(), p.frames(),
+      p.is_of_one_frame() ? fmt::format(" of {:.4g} ms", p.frame() * 1e3) : "",
+      late.percentile(0.5) * 1e3, late.percentile(0.99) * 1e3, late.percentile(0.999) * 1e3,
+      late.max() * 1e3, 100 * p.load(), 100 * p.greatest_load(),
+      timing.came_first ? "before all" : "no sooner than",
       timing.moves == 0 ? ""
                         : fmt::format(", {} on another processor", counted(timing.moves, "time")));
   if (p.stalls())

@@ -124,6 +124,23 @@ std::uint64_t hash_of(Database& database) {
   return hasher.value();
 }
 
+/// Of the tables that say what the results are of, and stay as they were begun.
+std::uint64_t hash_of_design(Database& database) {
+  Hasher hasher;
+  for (const char* table : {"factors", "cells", "columns", "measures"}) {
+    Statement all = database.prepare(fmt::format("SELECT * FROM {} ORDER BY 1", table));
+    while (all.step())
+      for (int i = 0; i < all.columns(); ++i) {
+        const bool is_real = all.is_number(i);
+        const std::string text = is_real || all.is_null(i) ? std::string() : all.text(i);
+        hasher.word(is_real ? std::bit_cast<std::uint64_t>(all.number(i)) : 0);
+        hasher.word(text.size());
+        hasher.bytes(text.data(), text.size());
+      }
+  }
+  return hasher.value();
+}
+
 /// s, for which it has been worked on.
 double seconds_in(Database& database) {
   Statement seconds = database.prepare("SELECT value FROM campaign WHERE name = 'seconds'");
@@ -170,13 +187,16 @@ std::string command_of(const Spec& spec, const Cell& cell, std::optional<std::ui
 }
 
 void demand_unchanged(Database& database, const std::string& file) {
-  Statement stored = database.prepare("SELECT value FROM campaign WHERE name = 'hash'");
-  if (!stored.step())
-    return;
-  if (const std::string now = hash_text(hash_of(database)); now != stored.text(0))
-    throw disk::Refused(
-        "{} was changed after it was flown: the hash of what is there is {}, was {}",
-        quote_path(file), now, stored.text(0));
+  const auto demand = [&](const char* name, const char* what, auto hash) {
+    Statement stored = database.prepare("SELECT value FROM campaign WHERE name = ?");
+    if (!stored.with(name).step())
+      return;
+    if (const std::string now = hash_text(hash(database)); now != stored.text(0))
+      throw disk::Refused("{} was changed after it was {}: the hash of what is there is {}, was {}",
+                          quote_path(file), what, now, stored.text(0));
+  };
+  demand("design", "begun", hash_of_design);
+  demand("hash", "flown", [](Database& results) { return hash_of(results); });
 }
 
 disk::Handle lock_results(const std::string& folder, bool resume) {
@@ -268,6 +288,7 @@ void Store::make_tables(const Origin& origin) {
       put.step();
     }
   });
+  set("design", hash_text(hash_of_design(db)));
   db.run("COMMIT");
 }
 

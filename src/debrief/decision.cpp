@@ -132,8 +132,9 @@ void action_text(const Decision& d, std::string& text) {
   for (const Won& won : d.action) {
     std::string rivals;
     for (const Rival& rival : won.rivals)
-      rivals += fmt::format("{}{} {}", rivals.empty() ? " (" : ", ", d.nodes[rival.node].label,
-                            rival.value.text);
+      if (rival.blended == won.blended)  // of a blend what it is made of
+        rivals += fmt::format("{}{} {}", rivals.empty() ? " (" : ", ", d.nodes[rival.node].label,
+                              rival.value.text);
     fmt::format_to(std::back_inserter(text), "  {:<12} {:<{}} {:<16} {}{}\n", won.value.name,
                    won.value.text, width, label_of(d, won.winner), reason(won),
                    rivals.empty() ? "" : rivals + ")");
@@ -184,7 +185,8 @@ Json won_json(const Decision& d, const Won& won) {
     j["rivals"].push_back({{"node", d.nodes[rival.node].path},
                            {"value", value_json(rival.value)},
                            {"vote", rival.vote},
-                           {"against", rival.against}});
+                           {"against", rival.against},
+                           {"blended", rival.blended}});
   return j;
 }
 
@@ -195,9 +197,9 @@ std::string reason(const Won& won) {
     return "held from an earlier decision";
   if (won.rivals.empty())
     return "nobody else asked for it";
-  if (won.blended)
-    return fmt::format("blended of {}", won.rivals.size());
   const Rival& next = won.rivals.front();
+  if (next.blended)
+    return fmt::format("blended of {}", std::ranges::count_if(won.rivals, &Rival::blended));
   if (!next.came_up)
     return "nobody else's came up to it";
   return next.against > next.vote ? fmt::format("voted {:g} against {:g}", next.against, next.vote)
@@ -232,7 +234,8 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
   }
   if (then.status == ubf::Status::failure)
     return fmt::format("{} {}", then.label, words(then));
-  if (now.leader == ubf::kNone) {
+  if (now.leader == ubf::kNone ||
+      now.nodes[parting(now.nodes, now.leader, before).second].status == ubf::Status::failure) {
     ubf::NodeIndex keeper = then.parent;  // the first that did not hand it on
     while (keeper != ubf::kNone && !now.nodes[keeper].action.empty())
       keeper = now.nodes[keeper].parent;

@@ -55,6 +55,10 @@ TEST(Decision, ComparesTheVotesWhereTheBranchesMeet) {
   d.nodes[4].vote = 30;  // scaled down from 60 on the way up
   d.nodes[5].vote = 60;
   EXPECT_EQ(why_not(d, 5), "shoot voted 30 against 40");
+  d.nodes[5].action = {{.name = "release"}};
+  d.nodes[4].status = Status::failure;
+  d.nodes[4].vote = 0;
+  EXPECT_EQ(why_not(d, 5), "shoot was kept back by " + d.nodes[4].label);
 }
 
 TEST(Decision, ComparesTheVotesThatWereGivenInThePlaceOfTheirOwn) {
@@ -99,7 +103,7 @@ TEST(Decision, SaysHowAFieldWasWon) {
   EXPECT_EQ(reason(won), "10 against 50, and votes did not decide");
   won.rivals[0].came_up = false;
   EXPECT_EQ(reason(won), "nobody else's came up to it");
-  won.blended = true;
+  won.rivals[0].blended = true;
   EXPECT_EQ(reason(won), "blended of 1");
   won.held = true;
   EXPECT_EQ(reason(won), "held from an earlier decision");
@@ -111,7 +115,7 @@ TEST(Decision, TellsWhatIsHeldFromWhatIsProposedNow) {
              answer("climb", "climb", 2, 1), answer("low", "low", 2, 1),
              answer("follow", "follow", 1, 0)};
   const auto proposes = [&](std::size_t node, double number, bool held, float vote) {
-    d.nodes[node].action = {{.name = "altitude", .number = number, .held = held}};
+    d.nodes[node].action = {{.name = "altitude", .number = number, .held = held, .supplier = 2}};
     d.nodes[node].vote = vote;
     d.nodes[node].is_leaf = node > 1;
   };
@@ -120,8 +124,7 @@ TEST(Decision, TellsWhatIsHeldFromWhatIsProposedNow) {
   proposes(2, 6000, false, 0);  // goes on asking for something else, without a vote
   proposes(3, 5000, false, 10);
   proposes(4, 4000, false, 20);
-  const ubf::NodeIndex winner[] = {2};
-  const std::vector<Won> won = team::contest(d.nodes, winner);
+  const std::vector<Won> won = team::contest(d.nodes);
   ASSERT_EQ(won.size(), 1u);
   EXPECT_EQ(won[0].value.number, 7000);
   EXPECT_TRUE(won[0].held);
@@ -130,6 +133,33 @@ TEST(Decision, TellsWhatIsHeldFromWhatIsProposedNow) {
   EXPECT_EQ(won[0].rivals[0].against, 50) << "of who holds it, against follow";
   EXPECT_EQ(won[0].rivals[0].vote, 20);
   EXPECT_EQ(won[0].rivals[1].against, 50) << "and against low, which it suppresses";
+}
+
+TEST(Decision, CountsOfABlendOnlyWhatItIsMadeOf) {
+  Decision d;
+  d.nodes = {answer("root", "winner_takes_all", 0, ubf::kNone),
+             answer("mix", "fusion", 1, 0),
+             answer("climb", "climb", 2, 1),
+             answer("best", "winner_takes_all", 2, 1),
+             answer("low", "low", 3, 3),
+             answer("lower", "lower", 3, 3),
+             answer("weak", "weak", 2, 1),
+             answer("follow", "follow", 1, 0)};
+  const ubf::NodeIndex suppliers[] = {1, 1, 2, 4, 4, 5, 6, 7};
+  const float votes[] = {40, 40, 40, 30, 30, 20, 10, 35};
+  for (std::size_t n = 0; n < d.nodes.size(); ++n) {
+    d.nodes[n].action = {
+        {.name = "altitude", .number = 1000.0 * double(n), .supplier = suppliers[n]}};
+    d.nodes[n].vote = votes[n];
+    d.nodes[n].is_leaf = suppliers[n] == n && n != 1;
+  }
+  d.nodes[6].given = 0;  // not among the two strongest
+  const Won won = team::contest(d.nodes).at(0);
+  EXPECT_EQ(reason(won), "blended of 2");
+  ASSERT_EQ(won.rivals.size(), 5u);
+  EXPECT_EQ(won.rivals[0].node, 2);
+  EXPECT_EQ(won.rivals[1].node, 4);
+  EXPECT_FALSE(won.rivals[2].blended);
 }
 
 TEST(Decision, ShowsOnlyWhatWasAsked) {

@@ -144,6 +144,10 @@ Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
         if (change.from = label; change.from == change.to) {  // of another branch
           change.from = branch_of(change.now, leader->node);
           change.to = branch_of(change.now, now.node);
+          if (change.from == change.to) {
+            change.from = change.now.nodes[leader->node].path;
+            change.to = change.now.nodes[now.node].path;
+          }
         }
       }
       leader = now;

@@ -21,12 +21,12 @@ std::uint16_t moved(const scenario::Scenario& flown, const scenario::Scenario& o
   return node ? static_cast<std::uint16_t>(*node + 1) : 0;
 }
 
-/// A vote for a node of a tree that it names.
+/// A vote for a node of a tree, if it names both.
 std::optional<VoteChange> vote_in(const sim::Order& order) {
   if (order.kind != sim::OrderKind(pilot::OrderKind::vote))
     return {};
   const auto vote = order.as<VoteChange>();
-  return vote.tree > 0 ? std::optional(vote) : std::nullopt;
+  return vote.tree > 0 && vote.number > 0 ? std::optional(vote) : std::nullopt;
 }
 
 }  // namespace

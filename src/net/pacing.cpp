@@ -40,6 +40,7 @@ Clock::time_point Pacing::due(std::uint64_t frame) const {
 }
 
 void Pacing::go_on(double frame, Clock::time_point start) {
+  is_of_one_frame_ = is_of_one_frame_ && (frames() == 0 || frame == frame_);
   frame_ = frame;
   start_ = start;
   start_ -= due() - start;
@@ -55,6 +56,8 @@ void Pacing::made(Clock::time_point begun, Clock::time_point done) {
   }
   work_.add(done - begun);
   paced_ += frame_;
+  greatest_load_ =
+      std::max(greatest_load_, std::chrono::duration<double>(done - begun).count() / frame_);
   if (done > due())  // which is that of the next frame now
     ++missed_;
 }

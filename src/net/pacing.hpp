@@ -66,6 +66,10 @@ class Pacing {
   [[nodiscard]] double load() const {
     return paced_ > 0 ? work_.mean() * double(frames()) / paced_ : 0;
   }
+  /// The largest of these shares of a single frame.
+  [[nodiscard]] double greatest_load() const { return greatest_load_; }
+  /// Whether all frames were as long as frame().
+  [[nodiscard]] bool is_of_one_frame() const { return is_of_one_frame_; }
   /// How often the deadlines were put back, and by how many seconds in all.
   [[nodiscard]] std::uint64_t stalls() const { return stalls_; }
   [[nodiscard]] double given_up() const { return given_up_; }
@@ -79,6 +83,8 @@ class Pacing {
   Histogram late_, work_;
   std::uint64_t missed_ = 0, stalls_ = 0;
   double given_up_ = 0, paced_ = 0;  // s
+  double greatest_load_ = 0;
+  bool is_of_one_frame_ = true;
 };
 
 }  // namespace eyrie::net

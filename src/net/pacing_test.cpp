@@ -126,6 +126,11 @@ TEST(Pacing, GoesOnAtAnotherRateAfterAPause) {
   EXPECT_EQ(machine.pacing.stalls(), 0u);
   EXPECT_EQ(machine.pacing.missed(), 0u);
   EXPECT_NEAR(machine.pacing.load(), 0.25 / (50 * 0.02 + 200 * 0.005), 1e-9);
+  EXPECT_NEAR(machine.pacing.greatest_load(), 0.001 / 0.005, 1e-9);
+  EXPECT_FALSE(machine.pacing.is_of_one_frame());
+  machine.pacing.go_on(0.02, machine.now);
+  machine.frames(1, milliseconds(2));
+  EXPECT_NEAR(machine.pacing.greatest_load(), 0.001 / 0.005, 1e-9) << "2 of 20 ms are less";
 }
 
 TEST(Pacing, AllocatesNothing) {

@@ -12,9 +12,9 @@
 namespace eyrie::page {
 namespace {
 
-/// What people look at: coarser than what is blended.
+/// What people look at: coarser than what is blended, and finer than what they read.
 double quantum_seen(std::string_view unit) {
-  return unit == "rad" ? 1e-3 : unit == "m" || unit == "kg" ? 1 : unit == "m/s" ? 0.1 : 1e-3;
+  return unit == "rad" ? 1e-4 : unit == "m" || unit == "kg" || unit == "m/s" ? 0.01 : 1e-3;
 }
 
 }  // namespace

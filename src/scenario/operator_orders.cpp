@@ -175,7 +175,7 @@ class OrderReader {
     if (asked_.order == "tree")
       return result_.orders.push_back(fleet.agents->order_tree(step_, who, *tree));
     if (&fleet != scenario_.fleets.front().get())
-      return refuse("{} is no aircraft: all it can be asked for is another tree",
+      return refuse("{} is no aircraft: it can be given another tree or be lost, and nothing else",
                     scenario_.roster.name(who));
     if (asked_.order == "manual")
       order(who, OrderKind::manual, manual());

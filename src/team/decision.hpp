@@ -13,6 +13,8 @@ struct Value {
   std::optional<double> number;  ///< in that unit; none: not a number, or no value
   std::string text;              ///< for people: "045°", "follow", "-"
   bool held = false;             ///< of a node's answer: it was proposed in an earlier decision
+  /// Of a node's answer: who supplied it, a leaf or the arbiter that blended it.
+  ubf::NodeIndex supplier = ubf::kNone;
 };
 
 /// What one node answered.
@@ -41,7 +43,8 @@ struct Rival {
   /// The votes that stood against each other where both were compared: of the branch with the
   /// winner, and of the branch with the rival.
   float against = 0, vote = 0;
-  bool came_up = true;  ///< its branch brought the field up to there, and did not lose it below
+  bool came_up = true;   ///< its branch brought the field up to there, and did not lose it below
+  bool blended = false;  ///< the winner made its value of this one and others
 };
 
 /// A field of the action that came out of the root.
@@ -50,7 +53,7 @@ struct Won {
   ubf::NodeIndex winner = ubf::kNone;
   bool blended = false;  ///< the winner is an arbiter that made it of what its children said
   bool held = false;     ///< the winner proposed it earlier, and a node above holds it
-  /// By vote, the highest first, and those that came up before the others; what a blend is made of.
+  /// What a blend is made of, then those that came up, then the others; by vote, the highest first.
   std::vector<Rival> rivals;
 };
 

@@ -58,11 +58,28 @@ std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nod
   return at;
 }
 
-std::vector<Won> contest(const std::vector<Answer>& nodes,
-                         std::span<const ubf::NodeIndex> winners) {
+namespace {
+
+/// Whether the field that an arbiter blended is made of what a leaf proposed.
+bool is_part_of(const std::vector<Answer>& nodes, ubf::NodeIndex leaf, ubf::NodeIndex arbiter,
+                const std::string& field) {
+  for (std::size_t n = arbiter + 1U; n < nodes.size() && nodes[n].depth > nodes[arbiter].depth;
+       ++n) {
+    const Value* const value = proposal_of(nodes[n], field);
+    if (nodes[n].parent == arbiter && value && nodes[n].counted() > 0 &&
+        (value->supplier == leaf ||
+         (!nodes[value->supplier].is_leaf && is_part_of(nodes, leaf, value->supplier, field))))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Won> contest(const std::vector<Answer>& nodes) {
   std::vector<Won> all;
   for (const Value& value : nodes[0].action) {
-    const ubf::NodeIndex winner = winners[all.size()];
+    const ubf::NodeIndex winner = value.supplier;
     Won won{.value = value,
             .winner = winner,
             .blended = !value.held && !nodes[winner].is_leaf,
@@ -81,10 +98,12 @@ std::vector<Won> contest(const std::vector<Answer>& nodes,
       while (!has_it(mine))
         mine = nodes[mine].parent;  // up to who holds it; the root has it
       won.rivals.push_back({node, *proposed, nodes[mine].counted(), nodes[its].counted(),
-                            proposal_of(nodes[its], value.name) != nullptr});
+                            proposal_of(nodes[its], value.name) != nullptr,
+                            won.blended && is_part_of(nodes, node, winner, value.name)});
     }
-    std::ranges::stable_sort(won.rivals, std::greater<>(),
-                             [](const Rival& r) { return std::pair(r.came_up, r.vote); });
+    std::ranges::stable_sort(won.rivals, std::greater<>(), [](const Rival& r) {
+      return std::tuple(r.blended, r.came_up, r.vote);
+    });
     all.push_back(std::move(won));
   }
   return all;

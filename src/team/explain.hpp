@@ -13,9 +13,8 @@ namespace eyrie::team {
 /// node that has both below it. Of two of which one is above the other, the upper one is itself.
 [[nodiscard]] std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
                                                                 ubf::NodeIndex a, ubf::NodeIndex b);
-/// Who won each field of the root's action, and against whom. `winners`: of these fields, in order.
-[[nodiscard]] std::vector<Won> contest(const std::vector<Answer>& nodes,
-                                       std::span<const ubf::NodeIndex> winners);
+/// Who won each field of the root's action, and against whom.
+[[nodiscard]] std::vector<Won> contest(const std::vector<Answer>& nodes);
 
 template <class Action>
 std::vector<Value> values_of(const Action& action) {
@@ -66,8 +65,10 @@ std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Acti
     answer.action = values_of(row.proposal.action);
     auto value = answer.action.begin();
     ubf::for_each_field<Action>([&](const auto& f, auto field) {
-      if (row.proposal.action.*f.member)
-        (value++)->held = row.held[field];
+      if (!(row.proposal.action.*f.member))
+        return;
+      value->held = row.held[field];
+      (value++)->supplier = row.supplier[field];
     });
     std::string said = row.ticked ? why(tree, trace, index) : "";
     // who fails without a word has failed for what its kind says of all
@@ -113,18 +114,6 @@ std::vector<Changed> changes(const Action& flown, const Action& other) {
   return all;
 }
 
-/// Who supplied each field of the root's action.
-template <class Action>
-std::vector<ubf::NodeIndex> winners(const ubf::Trace<Action>& trace) {
-  std::vector<ubf::NodeIndex> all;
-  const auto& root = trace.row(0);
-  ubf::for_each_field<Action>([&](const auto& f, auto i) {
-    if (root.proposal.action.*f.member)
-      all.push_back(root.supplier[i]);
-  });
-  return all;
-}
-
 /// Asks the tree of an agent again, with a trace. What it perceived comes from perceived(state),
 /// found next to the state.
 /// `overrule` puts into an action what somebody outside asked for instead.
@@ -142,7 +131,7 @@ Decision decision_of(const Moment<State>& m, const ubf::Tree<State, Action>& tre
   d.vote = out.vote;
   d.leader = out.leader;
   d.nodes = answers(unanswered(tree), tree, trace);
-  d.action = contest(d.nodes, winners(trace));
+  d.action = contest(d.nodes);
   Action carried_out = out.action;
   overrule(carried_out);
   d.overruled = changes(out.action, carried_out);

@@ -145,6 +145,12 @@ TEST(WhatIf, KeepsAVoteWithItsNodeWhereverThatStands) {
   const auto without =
       with_overrides(run, {wall + "{follow_lead: {vote: 20}}, {egress: {vote: 5}}]}"});
   EXPECT_EQ(votes_left_out(run, *without), std::vector<std::string>{"root/ingress/navigate"});
+  // what no program writes
+  for (const model::VoteChange& none :
+       {model::VoteChange{.number = 0, .tree = 1}, model::VoteChange{.number = 0, .tree = 9000},
+        model::VoteChange{.number = 9000, .tree = 1}, model::VoteChange{.number = 1, .tree = 9000}})
+    run.run.orders.push_back(sim::order_for(0, viper, pilot::OrderKind::vote, none));
+  EXPECT_EQ(votes_left_out(run, *without), std::vector<std::string>{"root/ingress/navigate"});
 }
 
 TEST(WhatIf, BranchesIntoTheSameEndWithoutAChange) {

@@ -113,16 +113,21 @@ TEST_F(Campaign, RefusesResultsThatWereChangedByHand) {
   ASSERT_EQ(run("out").code, 0);
   EXPECT_EQ(run("out", {"--resume"}).code, 0);
   const std::string file = folder / "out/results.db", whole = read_text(file);
-  for (const char* sql : {"UPDATE replicates SET \"end\" = 1 WHERE cell = 1",
-                          "DELETE FROM replicates WHERE replicate = 1"}) {
+  for (const auto& [sql, what] :
+       {std::pair("UPDATE replicates SET \"end\" = 1 WHERE cell = 1", "flown"),
+        std::pair("DELETE FROM replicates WHERE replicate = 1", "flown"),
+        std::pair("DELETE FROM cells WHERE cell = 0", "begun"),
+        std::pair("UPDATE cells SET speed = '2'", "begun"),
+        std::pair("UPDATE measures SET kind = 'x'", "begun")}) {
     folder.write("out/results.db", whole);
     sql::Database(file, sql::Database::Access::write)
         .run(std::string(sql) + "; PRAGMA journal_mode=DELETE");
     const std::string before = read_text(file);
     const Ran ran = run("out", {"--resume"});
     EXPECT_EQ(ran.code, 2) << sql;
-    EXPECT_NE(ran.err.find("'out/results.db' was changed after it was flown: the hash of what is "
-                           "there is 0x"),
+    EXPECT_NE(ran.err.find(fmt::format("'out/results.db' was changed after it was {}: the hash of "
+                                       "what is there is 0x",
+                                       what)),
               std::string::npos)
         << ran.err;
     EXPECT_EQ(read_text(file), before) << "left as it is";

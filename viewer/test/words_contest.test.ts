@@ -59,8 +59,27 @@ test('a blend is won by the arbiter that made it', () => {
   assert.ok(Math.abs(speed!.value - 700 / 3) < 1e-9);
 });
 
+test('of a blend only what it was made of is counted, and it comes first', () => {
+  const run = run_of(node('root', 'winner_takes_all', [node('mix', 'fusion', [leaf('pursue'), node('best', 'winner_takes_all', [leaf('follow'), leaf('break')])]), leaf('navigate')]),
+    [{ pursue: { vote: 20, speed: 250 }, follow: { vote: 20, speed: 200 }, break: { vote: 10, speed: 150 }, navigate: { vote: 15, speed: 100 } }]);
+  const [speed] = contest(run, 0, 0);
+  assert.deepEqual([speed!.winner, speed!.blended, speed!.reason], [find(run, 'mix'), true, 'blended of 2']);
+  assert.deepEqual(speed!.rivals.map((r) => [r.node, r.blended]), [
+    [find(run, 'pursue'), true], [find(run, 'follow'), true], [find(run, 'break'), false], [find(run, 'navigate'), false],
+  ]);
+});
+
+test('who was kept back by what failed above it did not lose by votes', () => {
+  const run = run_of(node('root', 'selector', [node('quiet', 'inhibit', [leaf('pursue')]), leaf('navigate')]),
+    [{ pursue: { vote: 50, heading: 1 }, navigate: { vote: 3, heading: 2 } }], (all) => {
+      all[1] = { ...all[1]!, status: 'failure', vote: 0, supplier: all[1]!.supplier.map(() => -1) };
+      all[0] = { ...all[3]! };
+    });
+  assert.equal(why_not(run.trees[0]!, run.shapes[0]!, find(run, 'pursue')), 'pursue was kept back by quiet');
+});
+
 test('reasons have words for ties and for places', () => {
-  const won = (vote: number, against: number, came_up = true) => reason({ blended: false, held: false, rivals: [{ node: 1, value: 0, vote, against, came_up }] });
+  const won = (vote: number, against: number, came_up = true) => reason({ held: false, rivals: [{ node: 1, value: 0, vote, against, came_up, blended: false }] });
   assert.equal(won(40, 40), 'voted 40 as the other did, and comes first');
   assert.equal(won(60, 40), '40 against 60, and votes did not decide');
   assert.equal(won(60, 40, false), "nobody else's came up to it");

@@ -157,10 +157,17 @@ class Fusion final : public Blending<State, Action> {
     out.vote = strongest.vote;
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_fields(
-          *t.trace, *this, [&](NodeIndex child, const auto&) { return few.contains(child); },
-          kBlended);
+      trace_few(*t.trace, few);
     return strongest.status;
+  }
+
+  [[gnu::noinline, gnu::cold]] void trace_few(AnyTrace& trace,
+                                              const StrongestFew<Action, kMaxTop>& few) const {
+    const auto is_heard = [&](NodeIndex child, const auto&) { return few.contains(child); };
+    for (const auto& child : this->children_)
+      if (!few.contains(child->index()))
+        trace.voted(child->index(), 0);
+    trace_fields(trace, *this, is_heard, kBlended);
   }
 };
 

@@ -13,6 +13,8 @@ export interface Rival {
   against: number;
   /** Whether its branch brought the field up to there, and did not lose it below. */
   came_up: boolean;
+  /** The winner made its value of this one and others. */
+  blended: boolean;
 }
 export interface Won {
   field: number;  // Index into the platform's action.
@@ -21,7 +23,7 @@ export interface Won {
   blended: boolean;  // The winner is an arbiter that made it of what its children said.
   held: boolean;  // The winner proposed it earlier, and a node above holds it.
   reason: string;
-  rivals: Rival[];  // By vote, the highest first, and those that came up before the others; what a blend is made of.
+  rivals: Rival[];  // What a blend is made of, then those that came up, then the others; by vote, the highest first.
 }
 
 /** Whether a node, or somebody below it, proposes a field now. */
@@ -45,12 +47,21 @@ export function parting(tree: Tree, a: number, b: number): [number, number] {
   return at;
 }
 
+/** Whether the field that an arbiter blended is made of what a leaf proposed. */
+function is_part(tree: Tree, shape: Shape, leaf: number, arbiter: number, field: number): boolean {
+  return tree.nodes[arbiter]!.children.some((child) => {
+    const from = shape.supplier[child]?.[field] ?? -1;
+    return from >= 0 && shape.counted[child]! > 0
+      && (from === leaf || (tree.nodes[from]!.children.length > 0 && is_part(tree, shape, leaf, from, field)));
+  });
+}
+
 /** "voted 40 against 10", or how else a field was won. */
-export function reason({ blended, held, rivals }: Pick<Won, 'blended' | 'held' | 'rivals'>): string {
+export function reason({ held, rivals }: Pick<Won, 'held' | 'rivals'>): string {
   if (held) return 'held from an earlier decision';
   const next = rivals[0];
   if (!next) return 'nobody else asked for it';
-  if (blended) return `blended of ${rivals.length}`;
+  if (next.blended) return `blended of ${rivals.filter((one) => one.blended).length}`;
   if (!next.came_up) return "nobody else's came up to it";
   const [mine, its] = [general(next.against), general(next.vote)];
   if (next.against > next.vote) return `voted ${mine} against ${its}`;
@@ -68,15 +79,15 @@ export function contest(run: Run, player: number, index: number): Won[] {
 
   const won = (winner: number, field: number): Won => {
     const held = shape.held[0]![field]!;
+    const blended = !held && tree.nodes[winner]!.children.length > 0;
     const rivals = tree.nodes.flatMap(({ children }, node): Rival[] => {
       if (node === winner || children.length > 0 || !proposes(shape, node, field)) return [];
       let [its, mine] = parting(tree, node, winner);
       while (!proposes(shape, mine, field) || shape.held[mine]![field] !== held) mine = tree.nodes[mine]!.parent; // up to who holds it; the root has it
-      return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]!, came_up: proposes(shape, its, field) }];
+      return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]!, came_up: proposes(shape, its, field), blended: blended && is_part(tree, shape, node, winner, field) }];
     });
-    rivals.sort((a, b) => +b.came_up - +a.came_up || b.vote - a.vote || a.node - b.node);
-    const blended = !held && tree.nodes[winner]!.children.length > 0;
-    return { field, value: value(source_of(shape, 0, field), field), winner, blended, held, reason: reason({ blended, held, rivals }), rivals };
+    rivals.sort((a, b) => +b.blended - +a.blended || +b.came_up - +a.came_up || b.vote - a.vote || a.node - b.node);
+    return { field, value: value(source_of(shape, 0, field), field), winner, blended, held, reason: reason({ held, rivals }), rivals };
   };
   return Array.from(shape.supplier[0] ?? []).flatMap((winner, field) => (winner >= 0 ? won(winner, field) : []));
 }
@@ -124,7 +135,7 @@ export function why_not(tree: Tree, shape: Shape, before: number): string {
       : `${label} was not asked`;
   }
   if (shape.status[before] === 'failure') return `${then.label} ${answer_words(shape, before)}`;
-  if (shape.leader < 0) {
+  if (shape.leader < 0 || shape.status[parting(tree, shape.leader, before)[1]] === 'failure') {
     let last = before; // to which it came up
     while (shape.supplier[tree.nodes[last]!.parent]) last = tree.nodes[last]!.parent;
     const keeper = tree.nodes[tree.nodes[last]!.parent];
