@@ -27,13 +27,14 @@ before(() => {
 eyrie: 1
 name: "</script><b>tactics"
 scenario: sweep
-set: ['until=300 s']
+set: ['until=520 s']
 factors:
-  tactic: {path: trees.veteran.sequencer.trees.bvr.tree, values: {"<b>near</b>": short_skate, "</script>": banzai}}
+  tactic: {path: trees.veteran.sequencer.trees.bvr.tree, values: {"<b>near</b>, and so much more to be said of it than there is room for, even in a window as wide as there are few": short_skate, "</script>": banzai}}
 replicates: 4
 measures:
   end: {what: end_time}
   shots: {what: shots, who: blue}
+  fuel: {what: fuel_left, who: blue}
 `);
   eyrie('campaign', 'c.yaml', '--out', 'out');
   eyrie('report', 'out', '--ways', '0');
@@ -103,6 +104,23 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await page.press('#list tbody td:first-child button', 'Enter');
       await ready(page);
       assert.deepEqual(complaints, []);
+      await page.close();
+    });
+
+    test('a long name of a cell is cut beside its bar, and no factor is said to do nothing where cells differ', { skip: where !== 'chromium' }, async () => {
+      const { page } = await open_url(browser, pathToFileURL(report).href, { width: 1280, height: 800 });
+      const [words, whole, end, begin] = await page.$eval('#chart g', (cell) => {
+        const text = cell.querySelector('text')!;
+        const [, bar] = cell.querySelectorAll('rect');
+        return [text.firstChild!.textContent!, text.querySelector('title')!.textContent!, text.getBoundingClientRect().right, bar!.getBoundingClientRect().left] as const;
+      });
+      assert.match(words, /^0: <b>near<\/b>, and so much.*…$/);
+      assert.match(whole, /as there are few$/);
+      assert.ok(end < begin, `${end} px, and its bar begins at ${begin}`);
+      await press(page, '#measures button', 'fuel');
+      const means = await page.evaluate(() => (JSON.parse(document.querySelector('#data')!.textContent!) as { cells: { estimates: number[][] }[] }).cells.map(({ estimates }) => estimates[2]![0]));
+      assert.notEqual(means[0], means[1]);
+      assert.equal(await page.textContent('#effects'), 'Each cell has a level of its own: see Against each other.');
       await page.close();
     });
 
