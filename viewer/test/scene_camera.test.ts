@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Eye } from '../src/scene/eye.ts';
-import { fit, kFlatFov, kFov, Rig, type Stance } from '../src/scene/rig.ts';
+import { fit, height_for_both, kFlatFov, kFov, Rig, type Stance } from '../src/scene/rig.ts';
 import { Sharpness } from '../src/scene/pace.ts';
 
 const near = (a: number, b: number, by = 1e-6): void => assert.ok(Math.abs(a - b) <= by, `${a} is not within ${by} of ${b}`);
@@ -86,6 +86,22 @@ test('a few who keep together are not looked at too closely', () => {
   assert.ok(eye.on_screen(-200));
   const nothing = new Float64Array(1);
   assert.equal(fit(where, { noted: new Uint8Array(1), x: nothing, y: nothing, z: nothing }, 1.5, 16), false);
+});
+
+test('two are in the picture from the middle between them, whichever way one is from the other', () => {
+  for (const aspect of [16 / 9, 0.5])
+    for (const polar of [0.1, 1.25, 1.5])
+      for (const way of [[0, 1, 0], [0.1, 0.99, 0], [1, 0, 0], [0, 0, 1], [0.5, -0.8, -0.3]]) {
+        const [dx, dy, dz] = way as [number, number, number];
+        const where = stance({ polar, azimuth: 1, x: dx / 2, y: dy / 2, z: dz / 2 });
+        const eye = new Eye();
+        eye.resize(900 * aspect, 900);
+        eye.look({ ...where, height: height_for_both(where, dx, dy, dz, aspect) });
+        for (const part of [0, 1]) {
+          assert.ok(eye.project(dx * part, dy * part, dz * part));
+          assert.ok(eye.on_screen(-0.09 * Math.min(900 * aspect, 900)), `${way} at ${polar}: ${eye.px}, ${eye.py}`);
+        }
+      }
 });
 
 test('what is zoomed at stays in place all the way', () => {

@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import type { Run } from '../src/run/run.ts';
+import { climb_words } from '../src/scene/frame.ts';
 import { fixed, general, outcome_text, read_clock, read_vote, reworded, side_text, value_text, type FieldInfo, speak } from '../src/words/text.ts';
 
 const kRun = { texts: ['hold', 'follow'] } as unknown as Run;
@@ -60,6 +61,10 @@ test('a time can be typed, and what is none is told', () => {
 test('a vote is what files take for one, and what is none is told', () => {
   assert.deepEqual(['70', ' 12.5 ', '.5', '1e2', '0', '+3', '1000'].map(read_vote), [70, 12.5, 0.5, 100, 0, 3, 1000]);
   for (const text of ['Infinity', '1e999', '0x10', 'abc', '-3', '12,5', '1001', '', '5 nmi']) assert.match(String(read_vote(text)), /is no vote/, text);
+});
+
+test('a height above another is in hundreds, and none has no sign', () => {
+  assert.deepEqual([0.75, -0.75, 0.01, -0.01, 0].map(climb_words), ['+2500 ft', '-2500 ft', '0 ft', '0 ft', '0 ft']);
 });
 
 test('why a mission was over is in words', () => {

@@ -4,7 +4,7 @@ import { made } from '../made.ts';
 import type { Player, Run } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
 import { heading_text, quantity_text } from '../words/text.ts';
-import { type Frame, height_words, kCrowd, kSideMark, near_km, x_of, y_of, z_of } from './frame.ts';
+import { climb_words, type Frame, height_words, kCrowd, kSideMark, near_km, x_of, y_of, z_of } from './frame.ts';
 import { convergence, measure } from './geo.ts';
 import { type GhostPoint, ghost_path } from './ghost.ts';
 import { gauge_at, place_at } from './motion.ts';
@@ -68,8 +68,7 @@ export function draw_ruler({ run, view, players, lines, palette, eye, notes }: F
   const place = (x: number, y: number, z: number) => ({ east: x * 1000, north: -z * 1000, up: y * 1000 });
   const { range, bearing, higher } = measure(run.origin, place(ax, ay, az), place(bx, by, bz));
   if (!eye.project((ax + bx) / 2, (ay + by) / 2, (az + bz) / 2) || !eye.on_screen(60)) return;
-  const climb = `${higher < 0 ? '-' : '+'}${height_words(Math.abs(higher) / 1000)}`;
-  const text = `${quantity_text(range, 'm')}  ${heading_text(bearing)}  ${climb}`;
+  const text = `${quantity_text(range, 'm')}  ${heading_text(bearing)}  ${climb_words(higher / 1000)}`;
   notes.tag(-1, eye.px, eye.py, text, '', palette.ruler, null, 97);
 }
 

@@ -3,7 +3,7 @@
 import type { Pose, View } from '../store.ts';
 import type { Eye } from './eye.ts';
 import type { Poses } from './motion.ts';
-import { fit, kFlatFov, kFov, kPace, Rig } from './rig.ts';
+import { fit, height_for_both, kFlatFov, kFov, kPace, Rig } from './rig.ts';
 
 /** rad from straight down, in 'whole' and when 'top' is left. */
 const kTilt = 0.95;
@@ -71,7 +71,7 @@ export class SceneCamera {
     fit(this.rig.goal, points, eye.width / Math.max(1, eye.height), kLeast, close ? 0.6 : 0.8, !close);
   }
 
-  private follow(players: Poses, i: number, opponent: number): void {
+  private follow(players: Poses, i: number, opponent: number, aspect: number): void {
     const [x, y, z] = [players.x[i]!, players.y[i]!, players.z[i]!];
     const { rig } = this;
     if (this.followed !== i) {
@@ -85,11 +85,11 @@ export class SceneCamera {
     const apart = Math.hypot(dx, dy, dz);
     const both = apart > 0 && apart < kTogether;
     [rig.goal.x, rig.goal.y, rig.goal.z] = both ? [dx / 2, dy / 2, dz / 2] : [0, 0, 0];
-    rig.goal.height = Math.max(kChase, both ? 1.1 * apart : 0) * this.nearer;
     const azimuth = (both ? Math.atan2(dx, -dz) : players.heading[i]!) + this.beside;
     // a turning aircraft swings the camera after it, not at once
     if (Math.abs(Math.sin((azimuth - rig.goal.azimuth) / 2)) > 1e-4 && rig.pace === kPace.hand) rig.pace = kPace.chase;
     rig.goal.azimuth = azimuth;
+    rig.goal.height = Math.max(kChase, both ? Math.max(1.1 * apart, height_for_both(rig.goal, dx, dy, dz, aspect)) : 0) * this.nearer;
   }
 
   /** Sets the goal for this picture. */
@@ -97,7 +97,7 @@ export class SceneCamera {
     const at_end = view.time >= view.end - 0.05;
     const first = this.camera === null;
     if (this.camera !== view.camera) this.change(view.camera, players, eye);
-    if (view.camera === 'follow' && view.selected < players.count) this.follow(players, view.selected, opponent);
+    if (view.camera === 'follow' && view.selected < players.count) this.follow(players, view.selected, opponent, eye.width / Math.max(1, eye.height));
     if (view.camera === 'whole' || (first && view.camera !== 'follow')) this.fit(players, eye, at_end);
     this.placed(view);
     if (first) this.rig.arrive();

@@ -52,3 +52,9 @@ export function height_words(km: number): string {
   const hundred = 100 * near_km();
   return height_text(Math.round(km / hundred) * hundred * 1000);
 }
+
+/** "+2400 ft": how much higher, in hundreds; without a sign if that is none. */
+export function climb_words(km: number): string {
+  const size = height_words(Math.abs(km));
+  return size.startsWith('0 ') ? size : `${km < 0 ? '-' : '+'}${size}`;
+}

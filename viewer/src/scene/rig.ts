@@ -65,6 +65,14 @@ export function fit(out: Stance, points: Pick<Poses, 'noted' | 'x' | 'y' | 'z'>,
   return true;
 }
 
+/** km of the scene that fit into the picture's height midway between two places, so that both are in it. (dx, dy, dz): from one to the other. */
+export function height_for_both({ azimuth, polar, fov }: Stance, dx: number, dy: number, dz: number, aspect: number, margin = 0.8): number {
+  const [sa, ca, sp, cp] = [Math.sin(azimuth), Math.cos(azimuth), Math.sin(polar), Math.cos(polar)];
+  const ahead = dx * sa - dz * ca;
+  const [right, up, nearer] = [dx * ca + dz * sa, ahead * cp + dy * sp, dy * cp - ahead * sp].map(Math.abs) as [number, number, number];
+  return Math.max(up, right / aspect) / margin + nearer * Math.tan(fov / 2);
+}
+
 const kPlaces = ['x', 'y', 'z'] as const;
 const kAngles = ['polar', 'fov'] as const;
 /** rad, and shares of a size, that nobody sees. */
