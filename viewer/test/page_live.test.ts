@@ -175,8 +175,32 @@ test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kN
   assert.equal(await page.$('.seat'), null);
 });
 
-test('ends as the program says, and the run that is left is flown again', { skip: kNoProgram }, async () => {
+test('what if is asked anew once it is over, of all that was decided', { skip: kNoProgram }, async () => {
+  const answered = (): Promise<void> => page.waitForFunction(() => {
+    const { asked, answered, decisions } = document.querySelector<HTMLElement>('.what-if')!.dataset;
+    return asked && asked === answered && Number(decisions) > 0;
+  });
+  const decisions = (): Promise<number> => page.$eval('.what-if', (panel) => Number((panel as HTMLElement).dataset['decisions']));
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => !window.eyrie!.store.get().playing);
+  await page.keyboard.press('4');
+  await page.waitForSelector('[data-player=eagle4] .tree .node.way');
+  await page.$$eval('.tree .node.way', (way) => way.at(-1)!.dispatchEvent(new MouseEvent('click', { bubbles: true })));
+  await page.fill('.details input[aria-label="vote in words"]', '90');
+  await page.keyboard.press('Enter');
+  await answered();
+  const before = await decisions();
   await rate('Infinity');
+  await page.click('.play');
+  await page.waitForFunction(() => window.eyrie!.run.about.outcome !== 'running');
+  await answered();
+  await page.waitForFunction(() => JSON.parse(document.querySelector<HTMLElement>('.what-if')!.dataset['answered']!)[2] === true);
+  const all = await page.evaluate(() => window.eyrie!.run.players[3]!.decisions.t.length);
+  assert.ok(before < all, `${before} of ${all} before the end`);
+  assert.equal(await decisions(), all);
+});
+
+test('ends as the program says, and the run that is left is flown again', { skip: kNoProgram }, async () => {
   await page.waitForFunction(() => !/^now/.test(document.querySelector('.to-now')!.textContent!));
   await page.waitForFunction(() => window.eyrie!.run.about.outcome !== 'running');
   await wait(1500);
@@ -190,6 +214,29 @@ test('ends as the program says, and the run that is left is flown again', { skip
   const { stdout } = await promisify(execFile)(kProgram, ['replay', join(folder, 'runs', name!), '--workers', '3', '--json']);
   assert.ok(stdout.includes(hash), stdout);
   assert.deepEqual(complaints.filter((one) => !/favicon|^network: http:\/\/127|WebSocket|ws:/.test(one)), []);
+});
+
+test('offers no vote of a vehicle, which cannot be told one', { skip: kNoProgram }, async () => {
+  const { program: other, address: there } = await serve(['convoy', '--paused'], folder);
+  try {
+    await on_page(open_url(browser, there, { width: 1280, height: 800 }), async (convoy) => {
+      await convoy.click('.tool.words');  // a second on
+      for (const [kind, offered] of [['aircraft', true], ['vehicle', false]] as const) {
+        const name = await convoy.evaluate((wanted) => {
+          const { run, store } = window.eyrie!;
+          const one = run.players.find((player) => player.kind === wanted)!;
+          store.set({ selected: one.index });
+          return one.name;
+        }, kind);
+        await convoy.waitForSelector(`[data-player=${name}] .tree [data-path]`);
+        await convoy.click('.tree [data-path$="/navigate"], .tree [data-path$="/follow_lead"]');
+        await convoy.waitForSelector('.details .asks');
+        assert.equal((await convoy.$('.vote-order')) !== null, offered, kind);
+      }
+    });
+  } finally {
+    other.kill('SIGKILL');
+  }
 });
 
 test('offers nothing that other programs would have to wait for', { skip: kNoProgram }, async () => {

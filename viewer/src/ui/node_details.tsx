@@ -131,7 +131,7 @@ export function NodeDetails(looked: Looked) {
       <p class="answer">{answer_words(shape, node)}</p>
       <p class="dim small">{kind} {type}{told && `, ${told}`}{remembers ? ', remembers' : ''}</p>
       <Proposed {...looked} />
-      {page.live && votes && <VoteOrder live={page.live} player={looked.player.name} tree={tree.name} node={path} vote={shape.vote[node]!} />}
+      {page.live && votes && tree.kind === 'aircraft' && <VoteOrder live={page.live} player={looked.player.name} tree={tree.name} node={path} vote={shape.vote[node]!} />}
       {page.run.engine && <Ask key={`${shape.tree}/${node}`} {...looked} />}
     </section>
   );

@@ -145,13 +145,13 @@ function FlyOn({ player, is_answered }: { player: Player; is_answered: boolean }
     const { dt, steps } = page.run.about;
     const step = Math.min(Math.round(time / dt), steps);
     forget(page);
-    const mine: FlownOn = { from: time };
+    const mine: FlownOn = { from: step * dt };
     page.future.set(mine);
     branch(page.run, player.index, changes, step).then(
       (value) => {
         if (page.future.get() !== mine) return;
         page.future.set({ ...mine, value });
-        show(page, { from: step * dt, run: value.run, label: kFlownOn });
+        show(page, { from: mine.from, run: value.run, label: kFlownOn });
       },
       (error: unknown) => page.future.get() === mine && page.future.set({ ...mine, problem: words_of(error) }),
     );

@@ -117,8 +117,8 @@ export function use_question(): { key: string; name: string; sets: string[] } | 
   const index = use_view(page.store, (v) => v.selected);
   const { name } = page.run.players[index]!;
   const sets = sets_of(page.run, index, changes);
-  // what is flown meanwhile is asked about once it is over
-  const stage = page.live ? page.live.is_over() : true;
+  // what is flown meanwhile is asked about once it is over, here too: the program is ahead of the engine of the page
+  const stage = !page.live || page.run.about.outcome !== 'running';
   return page.run.engine && sets.length ? { key: JSON.stringify([name, sets, stage]), name, sets } : null;
 }
 
