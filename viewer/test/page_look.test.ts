@@ -111,6 +111,37 @@ test('who is seen is as far off the nose as his bearing is off the heading', { s
   assert.ok(off.length > 0 && off.every((error) => error < 1.6), `${off}`);
 });
 
+test('how old a sight is is told however young it is', { skip: kNoPage }, async () => {
+  await page.evaluate(() => {
+    const { run, store } = window.eyrie!;
+    const { t } = run.players[0]!.sights;
+    const seen = t.findIndex((time) => time > 490);
+    const decided = run.players[0]!.decisions.t.find((time) => time >= t[seen]! - 1e-6)!;
+    t[seen] = decided - 0.02;
+    store.set({ time: decided + 0.01, selected: 0 });
+  });
+  await page.waitForFunction(() => document.body.textContent!.includes(', 0.02 s before the decision'));
+});
+
+test('a time of many hours has room', { skip: kNoPage }, async () => {
+  const end = await page.evaluate(() => window.eyrie!.store.get().end);
+  await page.evaluate(() => window.eyrie!.store.set({ end: 997_200, time: 997_200 }));
+  await page.waitForFunction(() => document.querySelector<HTMLInputElement>('input[aria-label=Time]')!.value === '16620:00.0');
+  const [wide, room] = await page.$eval('input[aria-label=Time]', (input) => [input.scrollWidth, input.clientWidth] as const);
+  assert.ok(wide <= room, `${wide} px in ${room}`);
+  const [reached, next] = await page.$eval('.told time', (time) => {
+    const text = document.createRange();
+    const said = time.textContent;
+    time.firstChild!.nodeValue = '16620:00.0';
+    text.selectNodeContents(time);
+    const { right } = text.getBoundingClientRect();
+    time.firstChild!.nodeValue = said;
+    return [right, time.nextElementSibling!.getBoundingClientRect().left] as const;
+  });
+  assert.ok(reached <= next, `${reached} px, and the glyph begins at ${next}`);
+  await page.evaluate((was) => window.eyrie!.store.set({ end: was, time: 500 }), end);
+});
+
 test('a time can be typed', { skip: kNoPage }, async () => {
   await page.fill('input[aria-label=Time]', '8:20.5');
   await page.keyboard.press('Enter');

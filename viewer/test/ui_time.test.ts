@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { run_clock, subscribe_paced, type Watch } from '../src/clock.ts';
 import {
-  jump, keep_in_sight, measure, pan_by, step_decision, step_leader, toggle_play, toggle_zoom, zoom_by, zoom_to,
+  fight_of, jump, keep_in_sight, measure, pan_by, step_decision, step_leader, toggle_play, toggle_zoom, zoom_by, zoom_to,
 } from '../src/ui/actions.ts';
 import { link_pages } from '../src/ui/compare.tsx';
 import { ticks_of } from '../src/ui/timeline.tsx';
@@ -12,7 +12,7 @@ import { clock_text, tick_text } from '../src/words/text.ts';
 import type { Player } from '../src/run/run.ts';
 import { first_view } from '../src/store.ts';
 import { view_in } from '../src/ui/page.ts';
-import { kBreaks, kPursues, page_of, told_run } from './ui_run.ts';
+import { kBreaks, kPursues, kStory, page_of, told_run } from './ui_run.ts';
 
 const kDecisions = Array.from({ length: 1000 }, (_, i) => (i >= 300 && i < 320 ? kBreaks : kPursues));
 const kRun = told_run(kDecisions);
@@ -202,7 +202,18 @@ test('times are written as the terminal writes them', () => {
   assert.equal(tick_text(0.5, 0.5), '0:00.5');
 });
 
-test('labels of an axis have room', () => {
+test('a fight begins a minute before the first shot, not at a loss before it, and ends after the last loss', () => {
+  const told = (...lines: [number, string][]) => page_of(told_run(kDecisions, lines.map(([t, kind]) => ({ ...kStory[0]!, t, kind }))));
+  assert.deepEqual(fight_of(told([5, 'loss'], [120, 'launch'], [150, 'gun_burst'], [170, 'loss'])), [60, 230]);
+  assert.equal(fight_of(told([5, 'loss'])), null);
+});
+
+test('labels of an axis have room, in a run of any length', () => {
+  for (const [hours, wanted] of [[1, 300], [30, 10_800], [277, 86_400], [2770, 16 * 86_400]] as const) {
+    const { step, ticks } = ticks_of(0, hours * 3600, 800, 12);
+    assert.deepEqual([step, ticks.at(-1)! + step > hours * 3600], [wanted, true], `${hours} h`);
+  }
+
   const { step, ticks } = ticks_of(10, 70, 600, 12);
   assert.equal(step, 10);
   assert.deepEqual(ticks, [10, 20, 30, 40, 50, 60, 70]);

@@ -38,7 +38,7 @@ function StoryLines({ flight }: { flight: Flight }) {
     if (list.current) list.current.scrollTop = flies ? list.current.scrollHeight : 0;
   }, [flight.number, flies, flies && flight.story.length]);
   return (
-    <section class="story" aria-label="Story">
+    <section class="story" aria-label="Story" style={{ '--clock': clock_text(flight.until).length }}>
       <ol ref={list} tabIndex={0}>
         {flight.story.map(({ time, who, text }, i) => (
           <li key={i} class={`told passed ${/^splash /.test(text) ? 'tone-kill' : ''}`}>

@@ -4,6 +4,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { listen } from '../events.ts';
 import type { AirPicture } from '../scene/scene.ts';
 import { Cell } from '../store.ts';
+import { clock_text } from '../words/text.ts';
 import { rem_size } from './canvas.ts';
 import { CompareRows } from './compare.tsx';
 import { Header, type Back } from './header.tsx';
@@ -119,11 +120,12 @@ export function App({ pages, back, onScene }: {
   };
   const [help] = useState(() => new Cell(false));
   const layout = use_layout();
+  const clock = use_view(active.store, (v) => clock_text(v.end).length);  // letters of a time, at most
   use_keys(active, help);
   useEffect(mind_manners, []);
   return (
     <PageContext.Provider value={active}>
-      <div class="page" style={layout.style}>
+      <div class="page" style={{ ...layout.style, '--clock': clock }}>
         <Header pages={pages} active={active} back={back} help={help} onSwitch={(page) => activate(page.letter)} ghosts={ghosts} onGhosts={show_ghosts}
           panels={kPanels.map((one) => ({ ...one, shown: layout.shown(one.panel), flip: () => layout.flip(one.panel) }))} />
         <Moments />

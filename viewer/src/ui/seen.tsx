@@ -70,7 +70,7 @@ export function Seen({ player, time }: { player: Player; time: number }) {
   const age = time - sight.t;
   return (
     <>
-      {age > 0.05 && <p class="dim small">as of {clock_text(sight.t)}, {number_text(age, 1)} s before the decision</p>}
+      {age > 1e-6 && <p class="dim small">as of {clock_text(sight.t)}, {number_text(age, 3)} s before the decision</p>}
       <dl class="state">
         {state.map((field, i) => (
           <div key={field.name} class={Number.isNaN(sight.state[i]) ? 'none' : ''} data-state={field.name}>

@@ -9,11 +9,13 @@ import { use_page, type Page } from './page.ts';
 import { Row } from './stack.tsx';
 import { use_paced, use_range, use_view } from './use.ts';
 
-const kTicks = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 3600];
+const kTicks = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 3600, 7200, 10_800, 21_600, 43_200];
+const kDay = 86_400;
 
 /** Times (s) for labels, far enough apart to be read, and the step between them. */
 export function ticks_of(from: number, to: number, pixels: number, rem: number): { step: number; ticks: number[] } {
-  const step = kTicks.find((one) => (one / (to - from)) * pixels >= 5.5 * rem) ?? kTicks.at(-1)!;
+  const least = (5.5 * rem * (to - from)) / Math.max(pixels, 1);
+  const step = kTicks.find((one) => one >= least) ?? kDay * 2 ** Math.max(Math.ceil(Math.log2(least / kDay)), 0);
   const first = Math.ceil(from / step);
   const count = Math.max(Math.floor(to / step + 1e-9) - first + 1, 0);
   return { step, ticks: Array.from({ length: count }, (_, i) => (first + i) * step) };
@@ -40,7 +42,8 @@ function draw_ticks({ pen, width, height, rem }: Sheet, range: [number, number])
     pen.fillStyle = color('line');
     pen.fillRect(x, 0, 1, height);
     pen.fillStyle = color('dim');
-    if (x < width - 3 * rem) pen.fillText(tick_text(t, step), x + 0.3 * rem, 0.15 * rem);
+    const words = tick_text(t, step);
+    if (x + 0.3 * rem + pen.measureText(words).width < width) pen.fillText(words, x + 0.3 * rem, 0.15 * rem);
   }
 }
 
