@@ -9,7 +9,7 @@ import { clock_text, number_text } from '../words/text.ts';
 import { jump, step_decision, step_leader } from './actions.ts';
 import { Fields } from './fields.tsx';
 import { IconButton } from './icon.tsx';
-import { Chip } from './leaders.tsx';
+import { Chip, Name } from './leaders.tsx';
 import { NodeDetails } from './node_details.tsx';
 import { use_page } from './page.ts';
 import { fate_at, fate_words } from './players.tsx';
@@ -50,7 +50,7 @@ function Header({ player, index }: { player: Player; index: number }) {
   return (
     <header class="inspector-head">
       <div class="who-line">
-        <h2 class={player.side}>{player.name}</h2><span class="dim">{player.type}</span>
+        <h2 class={player.side}><Name name={player.name} /></h2><span class="dim cut" title={player.type}>{player.type}</span>
         {fate !== 'alive' && <b class="badge">{fate_words(fate, player.gone)}</b>}
         <span class="spring" />
         <IconButton icon="back_to" label="Back to where another behavior began to lead" keys="{" onClick={() => step_leader(page, -1)} />

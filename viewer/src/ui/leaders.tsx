@@ -90,7 +90,7 @@ export function LeaderRow({ player, run, label, cut }: { player: Player; run?: R
   const row = `leader ${label ?? player.name}`;
   use_tip(row, label ?? player.name, spans);
   return (
-    <Row row={row} label={label ?? player.name} class="leader">
+    <Row row={row} label={<Name name={label ?? player.name} />} class="leader">
       <SpanStrip spans={spans} cut={cut} label={`Which behavior led ${player.name}`} />
     </Row>
   );
@@ -136,6 +136,11 @@ export function Legend({ player }: { player: Player }) {
   );
 }
 
+/** Of a player: where there is no room, its end is what stays, which is the rank. */
+export function Name({ name, class: more = '' }: { name: string; class?: string }) {
+  return <span class={`cut front ${more}`} title={name}><bdi dir="ltr">{name}</bdi></span>;
+}
+
 export function Chip({ label }: { label: string }) {
   return <i class="chip" style={{ background: fill_of(label) }} aria-hidden="true" />;
 }
@@ -157,7 +162,7 @@ export function EveryoneRow() {
   }, [page, range]);
   return (
     <Row row="everyone" class="everyone" height={`${players.length * (page.twin ? 1.3 : 0.95)}rem`} label={players.map((player) => (
-      <span key={player.name} class={`lane-name ${player.side} ${player.index === selected ? 'strong' : ''}`}>{player.name}</span>
+      <Name key={player.name} name={player.name} class={`lane-name ${player.side} ${player.index === selected ? 'strong' : ''}`} />
     ))}>
       <canvas class="fill" ref={canvas} role="img" aria-label="Which behavior led every player" />
     </Row>

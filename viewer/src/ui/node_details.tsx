@@ -125,7 +125,7 @@ export function NodeDetails(looked: Looked) {
   return (
     <section class="details" aria-label={`Node ${label}`} data-node={path}>
       <header>
-        <h3>{label}</h3><code>{path}</code>
+        <h3 class="cut" title={path}>{label}</h3><code>{path}</code>
         <button type="button" class="quiet" aria-label="Close the node" onClick={() => page.node.set(-1)}>✕</button>
       </header>
       <p class="answer">{answer_words(shape, node)}</p>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** Everybody in the run: side, type, what became of them, and who leads in their tree now. */
 import { useRef } from 'preact/hooks';
-import { last_at, type Player, type Run, type Side } from '../run/run.ts';
+import { last_at, type Flight, type Player, type Run, type Side } from '../run/run.ts';
 import { clock_text } from '../words/text.ts';
 import { measure, select } from './actions.ts';
-import { Chip } from './leaders.tsx';
+import { Chip, Name } from './leaders.tsx';
 import { use_page } from './page.ts';
 import { label_of } from './spans.ts';
 import { use_paced, use_rove, use_view } from './use.ts';
@@ -19,6 +19,13 @@ export function fate_at(player: Player, t: number): Fate {
 function leader_at(run: Run, player: Player, t: number): string {
   const shape = run.shapes[player.decisions.shape[last_at(player.decisions.t, t)]!];
   return shape ? label_of(run, shape.tree, shape.leader) : '';
+}
+
+/** "2 × F-15C, 1 × Su-27SM": the most first. */
+export function types_text({ players }: Pick<Run, 'players'>, { members }: Pick<Flight, 'members'>): string {
+  const counts = new Map<string, number>();
+  for (const member of members) counts.set(players[member]!.type, (counts.get(players[member]!.type) ?? 0) + 1);
+  return [...counts].sort(([, a], [, b]) => b - a).map(([type, count]) => `${count} × ${type}`).join(', ');
 }
 
 /** Round: blue; square: red; upright: neither. As in the air picture. */
@@ -45,7 +52,7 @@ function Line({ player }: { player: Player }) {
         data-player={name} data-state={fate} data-leader={leader}
         title={`${name}, ${type}: click selects, shift and click shows range and bearing from the selected one`}
         onClick={(event) => (event.shiftKey ? measure(page, index) : select(page, index))}>
-        <kbd>{key}</kbd><SideMark side={side} /><span class={`name ${side}`}>{name}</span>
+        <kbd>{key}</kbd><SideMark side={side} /><Name name={name} class={`name ${side}`} />
         {fate === 'alive'
           ? <span class="leads">{leader && <Chip label={leader} />}{leader}</span>
           : <span class={`fate ${fate}`}>{fate_words(fate, player.gone)}</span>}
@@ -63,8 +70,8 @@ export function Players() {
       {run.flights.map((flight) => (
         <div key={flight.name}>
           <h2>
-            <SideMark side={flight.side} />{flight.name}
-            <span class="dim">{flight.members.length} × {run.players[flight.members[0]!]?.type}</span>
+            <SideMark side={flight.side} /><span class="cut" title={flight.name}>{flight.name}</span>
+            <span class="dim cut" title={types_text(run, flight)}>{types_text(run, flight)}</span>
           </h2>
           <ul>
             {flight.members.map((member) => <Line key={member} player={run.players[member]!} />)}

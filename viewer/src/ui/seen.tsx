@@ -6,6 +6,7 @@ import { convergence } from '../scene/geo.ts';
 import { new_pose, pose_at, type Pose } from '../scene/motion.ts';
 import { heading_text, height_text, quantity_text, side_text, value_text, clock_text, number_text } from '../words/text.ts';
 import { select } from './actions.ts';
+import { Name } from './leaders.tsx';
 import { use_page } from './page.ts';
 
 function from_here(own: Place, { east, north, up }: Place): { range: number; bearing: number } {
@@ -26,7 +27,7 @@ function Track({ track, own, north, heading }: { track: TrackSeen; own: Pose; no
       <td>
         {truth
           ? <button type="button" class="link truth" title="Who it really is; selects"
-              onClick={() => select(page, truth.index)}>({truth.name})</button>
+              onClick={() => select(page, truth.index)}>(<Name name={truth.name} />)</button>
           : <span class="truth">(nothing there)</span>}
       </td>
       <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{side_text(bearing - heading)}</td><td>{height_text(track.place.up)}</td>
@@ -47,7 +48,7 @@ function Perceived({ player, sight }: { player: Player; sight: Sight }) {
         {sight.tracks.map((track, i) => <Track key={`${track.id}/${i}`} track={track} own={own} north={north} heading={heading} />)}
         {sight.warnings.map(({ kind, name, range, bearing }, i) => (
           <tr key={`w${i}`} class={`warning ${kind.startsWith('missile') ? 'missile' : ''}`}>
-            <th scope="row">⚠ {kind}</th><td><span class="truth">({name})</span></td>
+            <th scope="row">⚠ {kind}</th><td><span class="truth">(<Name name={name} />)</span></td>
             <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{side_text(bearing - heading)}</td><td colSpan={2} />
           </tr>
         ))}
