@@ -205,6 +205,7 @@ test('times are written as the terminal writes them', () => {
 test('a fight begins a minute before the first shot, not at a loss before it, and ends after the last loss', () => {
   const told = (...lines: [number, string][]) => page_of(told_run(kDecisions, lines.map(([t, kind]) => ({ ...kStory[0]!, t, kind }))));
   assert.deepEqual(fight_of(told([5, 'loss'], [120, 'launch'], [150, 'gun_burst'], [170, 'loss'])), [60, 230]);
+  assert.deepEqual(fight_of(told([5, 'loss'], [150, 'gun_burst'], [170, 'loss'])), [90, 230], 'of guns alone');
   assert.equal(fight_of(told([5, 'loss'])), null);
 });
 

@@ -2,7 +2,7 @@
 /** What buttons and keys do. */
 import { last_at } from '../run/run.ts';
 import { kCameras } from '../store.ts';
-import { neighbor, type MarkKind } from './marks.ts';
+import { neighbor } from './marks.ts';
 import { range_of, type Page } from './page.ts';
 import { leader_spans } from './spans.ts';
 
@@ -117,10 +117,10 @@ export function keep_in_sight(page: Page): () => void {
 }
 
 /** From a minute before the first shot to a minute after the last one or the last loss; null: there was none. */
-export function fight_of({ marks }: Pick<Page, 'marks'>): [number, number] | null {
-  const times = (...kinds: MarkKind[]): number[] => marks.filter(({ kind }) => kinds.includes(kind)).map(({ t }) => t);
-  const shots = times('launch');
-  return shots.length ? [Math.min(...shots) - 60, Math.max(...times('launch', 'kill')) + 60] : null;
+export function fight_of({ run, marks }: Pick<Page, 'run' | 'marks'>): [number, number] | null {
+  const shots = run.story.filter(({ kind }) => kind === 'launch' || kind === 'gun_burst').map(({ t }) => t);
+  const kills = marks.filter(({ kind }) => kind === 'kill').map(({ t }) => t);
+  return shots.length ? [Math.min(...shots) - 60, Math.max(...shots, ...kills) + 60] : null;
 }
 
 /** Half a minute around the present, or the whole run again. */
