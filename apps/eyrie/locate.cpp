@@ -215,15 +215,24 @@ bool is_scenario(const std::string& name) {
 std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
                                          const std::vector<std::string>& plugins) {
   std::vector<debrief::Recorded> all;
-  std::vector<std::string> problems;
+  std::vector<std::string> problems, unused = plugins;
   for (const std::string& run : runs) {
     debrief::Opened opened = debrief::open(run, plugins, version_text(), trusted());
+    std::erase_if(unused, [&](const std::string& file) {
+      return std::ranges::find(opened.unused, file) == opened.unused.end();
+    });
     if (opened.recorded)
       all.push_back(std::move(*opened.recorded));
     for (const std::string& problem : opened.problems)
       if (std::find(runs.data(), &run, run) == &run)  // of one that is named twice, once
         problems.push_back(printable_lines(problem) + run_hint(run));
   }
+  for (const std::string& file : unused)
+    problems.push_back(fmt::format(
+        "{} no plug-in {}",
+        runs.size() > 1 ? "--plugin: these runs have"
+                        : printable(all.empty() ? runs[0] : all[0].file) + ": the run has",
+        quote(fs::path(file).filename().string())));
   if (!problems.empty())
     throw Mistake(fmt::format("{}", fmt::join(problems, "\n")));
   return all;

@@ -57,7 +57,9 @@ Recorded open(const std::string& path, std::vector<std::string> plugins,
   const GilReleased released;
   debrief::Opened opened =
       debrief::open(path, std::move(plugins), version_text(), {}, adds(behaviors));
-  if (!opened.recorded)
+  for (const std::string& file : opened.unused)
+    opened.problems.push_back(fmt::format("{}: the run has no plug-in {}", path, quote(file)));
+  if (!opened.problems.empty())
     raise("RunError", fmt::format("{}", fmt::join(opened.problems, "\n")));
   return {std::move(*opened.recorded)};
 }

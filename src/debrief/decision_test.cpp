@@ -61,6 +61,26 @@ TEST(Decision, ComparesTheVotesWhereTheBranchesMeet) {
   EXPECT_EQ(why_not(d, 5), "shoot was kept back by " + d.nodes[4].label);
 }
 
+TEST(Decision, TellsWhereAVoteWasLostThatDidNotComeUp) {
+  Decision d;
+  d.nodes = {answer("root", "winner_takes_all", 0, ubf::kNone),
+             answer("fight", "winner_takes_all", 1, 0),
+             answer("pure_pursuit", "pure_pursuit", 2, 1), answer("navigate", "navigate", 2, 1),
+             answer("extend", "extend", 1, 0)};
+  const ubf::NodeIndex suppliers[] = {4, 2, 2, 3, 4};
+  const float votes[] = {56, 40, 40, 1, 56};
+  for (std::size_t n = 0; n < d.nodes.size(); ++n) {
+    d.nodes[n].asked = true;
+    d.nodes[n].status = Status::running;
+    d.nodes[n].vote = votes[n];
+    d.nodes[n].is_leaf = n > 1;
+    d.nodes[n].action = {{.name = "heading", .supplier = suppliers[n]}};
+  }
+  d.leader = 4;
+  EXPECT_EQ(why_not(d, 3), "navigate lost in fight, which voted 40 against 56");
+  EXPECT_EQ(why_not(d, 2), "pure_pursuit voted 40 against 56");
+}
+
 TEST(Decision, ComparesTheVotesThatWereGivenInThePlaceOfTheirOwn) {
   Decision d = in_two_phases(false);
   d.nodes[2].given = 80.0F;

@@ -36,17 +36,23 @@ std::string plugin_problem(const scenario::PluginFile& plugin, const std::string
   return {};
 }
 
-/// Where the plug-ins of a run are, in its order: a file of that name among `given`, or else where
-/// the run file says, if that one may be opened. What is missing, another one or not of the run is
-/// a problem.
-std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<std::string> given,
+/// Where the plug-ins of a run are, in its order: a file of that name among `given`, of several the
+/// one with its bytes, or else where the run file says, if that one may be opened. What is missing
+/// or another one is a problem. What is not of the run stays in `given`.
+std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<std::string>& given,
                                       const scenario::PluginPermission& may_open,
                                       std::vector<std::string>& problems) {
   std::vector<std::string> found;
   for (const scenario::PluginFile& plugin : run.plugins) {
-    const auto typed = std::ranges::find_if(given, [&](const std::string& file) {
+    const auto is_named = [&](const std::string& file) {
       return fs::path(file).filename() == fs::path(plugin.path).filename();
+    };
+    auto typed = std::ranges::find_if(given, [&](const std::string& file) {
+      return is_named(file) &&
+             scenario::hash_of(scenario::read_plugin_file(file).bytes) == plugin.hash;
     });
+    if (typed == given.end())
+      typed = std::ranges::find_if(given, is_named);
     const bool unasked = typed == given.end();
     found.push_back(unasked ? plugin.path : *typed);
     if (!unasked)
@@ -54,9 +60,6 @@ std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<st
     if (auto problem = plugin_problem(plugin, found.back(), unasked, may_open); !problem.empty())
       problems.push_back(std::move(problem));
   }
-  for (const std::string& file : given)
-    problems.push_back(
-        fmt::format("the run has no plug-in {}", quote(fs::path(file).filename().string())));
   return found;
 }
 
@@ -71,9 +74,10 @@ Opened open(const std::string& path, std::vector<std::string> plugins, std::stri
   if (record::Decoded decoded = record::read_run_file(file); !decoded.error.empty()) {
     result.problems.push_back(std::move(decoded.error));
   } else {
-    plugins = find_plugins(decoded.run, std::move(plugins), may_open, result.problems);
+    std::vector<std::string> found = find_plugins(decoded.run, plugins, may_open, result.problems);
     if (result.problems.empty())
-      result = open(std::move(decoded.run), file, std::move(plugins), build, add);
+      result = open(std::move(decoded.run), file, std::move(found), build, add);
+    result.unused = std::move(plugins);
   }
   constexpr std::size_t kWhole = 300;  // a longer path is shortened
   for (std::string& problem : result.problems)

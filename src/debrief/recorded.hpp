@@ -27,6 +27,7 @@ struct Recorded {
 struct Opened {
   std::optional<Recorded> recorded;
   std::vector<std::string> problems;  ///< a line each, with the file
+  std::vector<std::string> unused;    ///< plug-ins that were given and are none of the run's
 };
 
 /// Opens a run folder or its run file. `plugins` are where plug-ins of the run are now: these are

@@ -3,6 +3,7 @@
 
 #include "core/yaml.hpp"
 #include "debrief/moved_votes.hpp"
+#include "scenario/source.hpp"
 
 namespace eyrie::debrief {
 namespace {
@@ -224,7 +225,7 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
   eyrie::Value value = eyrie::parse_yaml(text.substr(equals + 1), "--set", in_value);
   if (!in_value.ok())
     return wrong(equals + 1, in_value.sorted().front().message);
-  value.where = at(equals + 1);
+  scenario::place_in_override(value, text, equals + 1);
   changes.push_back({tree,
                      {.node = static_cast<ubf::NodeIndex>(found - paths.begin()),
                       .key = key,

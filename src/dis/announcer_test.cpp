@@ -167,7 +167,7 @@ TEST(Announcer, SaysHowAWeaponEnded) {
   for (const auto& [time, end] : sweep().listener.of<Detonation>())
     ends.try_emplace(end.munition.entity, end);
   const auto kills = sweep().flight.log.of(EventKind::kill);
-  ASSERT_EQ(kills.size(), 2u);
+  ASSERT_EQ(kills.size(), 3u);
   for (const auto& kill : kills)
     EXPECT_EQ(ends.at(kill.event.detail).result, Result::proximate);
   for (const auto& fuze : sweep().flight.log.of(EventKind::detonation)) {
@@ -246,7 +246,7 @@ TEST(Announcer, TakesLeaveOfEverybody) {
     last[state.id.entity] = state.appearance;
   }
   const auto home = sweep().flight.log.of(model::EventKind::home);
-  ASSERT_EQ(home.size(), 4u);
+  ASSERT_EQ(home.size(), 3u);
   for (const auto& [id, appearance] : last) {
     const bool is_home = std::any_of(home.begin(), home.end(),
                                      [&](const auto& h) { return h.event.who.value == id; });

@@ -13,7 +13,7 @@ using team::Obeyed;
 bool is_sane(const Manual& m) {
   const auto within = [](float x, double most) { return std::fabs(x) <= most; };  // false for NaN
   return m.seat <= Seat::person && within(m.heading, 1e3) && within(m.altitude, 100e3) &&
-         within(m.speed, 10e3) && m.speed >= 0 && within(m.climb, 1.6) &&
+         within(m.speed, 10e3) && m.speed >= 0 && within(m.climb, 1.6F) &&
          within(m.load_factor, 100) && m.load_factor >= 0 && m.trigger <= 1 && m.radar_off <= 1 &&
          m.dispense <= model::Dispense::both && m.reserved == 0;
 }

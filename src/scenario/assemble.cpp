@@ -294,9 +294,9 @@ Vec3 resolve(const PlaceSpec& place, double altitude, const Reference& reference
                               : reference.to_local({*place.latitude, *place.longitude, 0});
     if (const double distance = norm(ground); distance > kReach) {
       diagnostics.error(where,
-                        "this place is {:.0f} km from the reference point; the "
+                        "this place is {:.{}f} km from the reference point; the "
                         "local frame reaches {:.0f} km",
-                        distance / 1000, kReach / 1000);
+                        distance / 1000, distance < kReach + 1000 ? 3 : 0, kReach / 1000);
       return {};
     }
     return local ? at_altitude(reference, *place.north, *place.east, altitude)

@@ -259,7 +259,11 @@ class OrderReader {
 
 std::string why_unable(const sim::Order& one, const Scenario& scenario, const sim::World& world,
                        std::span<const sim::Order> waiting) {
-  if (!scenario.find(world, one.player))
+  const bool is_lost = std::ranges::any_of(waiting, [&](const sim::Order& before) {
+    return before.player == one.player &&
+           before.kind == sim::OrderKind(model::weapon::OrderKind::lose);
+  });
+  if (is_lost || !scenario.find(world, one.player))
     return "is no longer there";
   const auto row = world.row(scenario.aircraft.table, one.player);
   const auto& accepted = pilot::Outside::orders;

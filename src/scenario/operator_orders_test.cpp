@@ -200,6 +200,10 @@ TEST_F(OperatorOrder, IsRefusedByWhoCannotObeyIt) {
     waiting.insert(waiting.end(), one.orders.begin(), one.orders.end());
     return one.problem;
   };
+  for (const char* climb : {"1.6", "-1.6"})
+    EXPECT_EQ(give(fmt::format(R"({{"order":"manual","player":"eagle3","climb":{}}})", climb)), "");
+  EXPECT_EQ(give(R"({"order":"lose","player":"eagle3"})"), "");
+  EXPECT_EQ(give(R"({"order":"hand_back","player":"eagle3"})"), "eagle3 is no longer there");
   const std::string point =
       R"({"order":"point","player":"eagle1","east":0,"north":0,"altitude":5000,"more":true})";
   for (std::size_t i = 0; i < model::Tasking::kPoints; ++i)

@@ -14,7 +14,8 @@ std::string named(const std::string& text) {
   return "--set " + text;
 }
 
-/// Moves every place in a parsed override to where the value stands in the --set text.
+}  // namespace
+
 void place_in_override(Value& v, const std::string& text, std::size_t offset) {
   auto move = [&](Location& where) {
     const int before = where.line <= 1 ? static_cast<int>(offset) : 0;
@@ -28,6 +29,8 @@ void place_in_override(Value& v, const std::string& text, std::size_t offset) {
     place_in_override(e.value, text, offset);
   }
 }
+
+namespace {
 
 class Override {
  public:

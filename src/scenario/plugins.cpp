@@ -29,7 +29,7 @@ void check_names(const ubf::Registry<State, Action>& registry, std::string_view 
             fmt::format("{} is no name for a node: alone it is the condition that this field of "
                         "the state is true",
                         quote(node.name)));
-    std::vector<std::string> taken{std::string(ubf::kLabelKey)};
+    std::vector<std::string> taken{std::string(ubf::kLabelKey), "children", "child"};
     taken.insert(taken.end(), node.child_keys.begin(), node.child_keys.end());
     for (const ParamInfo& parameter : node.parameters) {
       if (std::ranges::find(taken, parameter.name) != taken.end())

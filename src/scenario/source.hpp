@@ -132,4 +132,7 @@ class Source {
 /// "--set <text>", and so do later mistakes in what was set.
 void apply_overrides(Value& document, std::span<const std::string> sets, Diagnostics& diagnostics);
 
+/// Moves the places in a value, read from the text of an override behind `offset`, into that text.
+void place_in_override(Value& value, const std::string& text, std::size_t offset);
+
 }  // namespace eyrie::scenario

@@ -83,7 +83,7 @@ TEST_F(PluggedProgram, FliesTheBehaviorOfTheReadmeInTheSweepAndSeesItWin) {
                                        "1 min", "--quiet", "--no-debrief"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const Ran why =
-      run_program(folder, {"explain", "runs/greet-1", "--player", "eagle1", "--plugin", library});
+      run_program(folder, {"explain", "runs/greet-2", "--player", "eagle1", "--plugin", library});
   EXPECT_TRUE(
       std::regex_search(why.out, std::regex("navigate +-> greet +navigate voted 10 against 50")))
       << why.out << why.err;
@@ -161,6 +161,26 @@ TEST_F(PluggedProgram, ReplaysWithTheSamePluginFromAnywhere) {
                               {.home = "/nowhere", .config = config.path()});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.out.find(": the same, 250 steps"), std::string::npos) << ran.out;
+}
+
+TEST_F(PluggedProgram, OpensTwoRunsOfWhichOneHasThePlugin) {
+  ASSERT_EQ(trusting({"fly", "merge", "--until", "5 s", "--no-debrief", "--out", "bare"}).code, 0);
+  trust();
+  ASSERT_EQ(fly().code, 0);
+  std::filesystem::create_directory(folder / "other");
+  std::filesystem::copy(plugin("old"), folder / "other/libgood.so");
+  const std::string mine = plugin("good");
+  EXPECT_EQ(run_program(folder, {"diff", "bare", "run", "--plugin", mine}).err,
+            "bare/run.eyrie and run/run.eyrie have other players: viper1 is eagle1 in the other\n");
+  // of two of that name it takes the one with the bytes of the run
+  EXPECT_EQ(run_program(folder, {"diff", "bare", "run", "--plugin", folder / "other/libgood.so",
+                                 "--plugin", mine})
+                .err,
+            "--plugin: these runs have no plug-in 'libgood.so'\n");
+  EXPECT_EQ(
+      run_program(folder, {"diff", "bare", "run", "--plugin", mine, "--plugin", plugin("magic")})
+          .err,
+      "--plugin: these runs have no plug-in 'libmagic.so'\n");
 }
 
 TEST_F(PluggedProgram, ReplaysOnlyWithTheVeryFileOfTheRun) {

@@ -78,6 +78,13 @@ test('who was kept back by what failed above it did not lose by votes', () => {
   assert.equal(why_not(run.trees[0]!, run.shapes[0]!, find(run, 'pursue')), 'pursue was kept back by quiet');
 });
 
+test('of who did not come up it is told where he lost', () => {
+  const run = run_of(node('root', 'winner_takes_all', [node('fight', 'winner_takes_all', [leaf('pursue'), leaf('navigate')]), leaf('break')]),
+    [{ pursue: { vote: 40, heading: 1 }, navigate: { vote: 1, heading: 2 }, break: { vote: 56, heading: 3 } }]);
+  assert.equal(why_not(run.trees[0]!, run.shapes[0]!, find(run, 'navigate')), 'navigate lost in fight, which voted 40 against 56');
+  assert.equal(why_not(run.trees[0]!, run.shapes[0]!, find(run, 'pursue')), 'pursue voted 40 against 56');
+});
+
 test('reasons have words for ties and for places', () => {
   const won = (vote: number, against: number, came_up = true) => reason({ held: false, rivals: [{ node: 1, value: 0, vote, against, came_up, blended: false }] });
   assert.equal(won(40, 40), 'voted 40 as the other did, and comes first');

@@ -143,5 +143,10 @@ export function why_not(tree: Tree, shape: Shape, before: number): string {
   }
   const [mine, its] = parting(tree, shape.leader, before);
   const [voted, against] = [shape.counted[its]!, shape.counted[mine]!];
-  return `${then.label} voted ${general(voted)} against ${general(against)}${voted > against ? ', and votes did not decide' : ''}`;
+  // the first above it that handed on another one's instead
+  const hands_on = (node: number) => shape.supplier[node]?.some((from) => from === before || (from >= 0 && tree.nodes[from]!.children.length > 0));
+  let lost = before;
+  while (lost !== its && (lost === before || hands_on(lost))) lost = tree.nodes[lost]!.parent;
+  const came_up = !shape.supplier[before]?.some((from) => from >= 0) || lost === before || hands_on(lost);
+  return `${then.label}${came_up ? '' : ` lost in ${tree.nodes[lost]!.label}, which`} voted ${general(voted)} against ${general(against)}${voted > against ? ', and votes did not decide' : ''}`;
 }
