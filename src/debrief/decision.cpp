@@ -244,19 +244,12 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
                : fmt::format("{} was kept back by {}", then.label, now.nodes[keeper].label);
   }
   const auto [mine, its] = parting(now.nodes, now.leader, before);
-  // the first above it that handed on another one's instead
-  ubf::NodeIndex lost = before;
-  const auto hands_on = [&](const Value& v) {
-    return v.supplier == before || v.supplier >= now.nodes.size() || !now.nodes[v.supplier].is_leaf;
-  };
-  while (lost != its && (lost == before || std::ranges::any_of(now.nodes[lost].action, hands_on)))
-    lost = now.nodes[lost].parent;
-  const bool came_up = then.action.empty() || lost == before ||
-                       std::ranges::any_of(now.nodes[lost].action, hands_on);
+  const ubf::NodeIndex lost = team::lost_in(now.nodes, before, its);
   const float voted = now.nodes[its].counted(), against = now.nodes[mine].counted();
-  return fmt::format("{}{} voted {:g} against {:g}{}", then.label,
-                     came_up ? "" : fmt::format(" lost in {}, which", now.nodes[lost].label), voted,
-                     against, voted > against ? ", and votes did not decide" : "");
+  return fmt::format(
+      "{}{} voted {:g} against {:g}{}", then.label,
+      lost == ubf::kNone ? "" : fmt::format(" lost in {}, which", now.nodes[lost].label), voted,
+      against, voted > against ? ", and votes did not decide" : "");
 }
 
 void put_names(std::string& text, const Decision& decision, const scenario::Scenario& scenario) {

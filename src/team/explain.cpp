@@ -76,6 +76,18 @@ bool is_part_of(const std::vector<Answer>& nodes, ubf::NodeIndex leaf, ubf::Node
 
 }  // namespace
 
+ubf::NodeIndex lost_in(const std::vector<Answer>& nodes, ubf::NodeIndex node, ubf::NodeIndex top) {
+  const auto comes_up = [&](const Value& v) {  // a blend may be made of it
+    return v.supplier == node || v.supplier >= nodes.size() || !nodes[v.supplier].is_leaf;
+  };
+  for (ubf::NodeIndex at = node; at != top && !nodes[node].action.empty();) {
+    at = nodes[at].parent;
+    if (!std::ranges::any_of(nodes[at].action, comes_up))
+      return at;
+  }
+  return ubf::kNone;
+}
+
 std::vector<Won> contest(const std::vector<Answer>& nodes) {
   std::vector<Won> all;
   for (const Value& value : nodes[0].action) {

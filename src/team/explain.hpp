@@ -13,6 +13,10 @@ namespace eyrie::team {
 /// node that has both below it. Of two of which one is above the other, the upper one is itself.
 [[nodiscard]] std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
                                                                 ubf::NodeIndex a, ubf::NodeIndex b);
+/// The first node above `node`, up to `top`, that handed on what another leaf proposed; kNone: none
+/// did, or it proposed nothing.
+[[nodiscard]] ubf::NodeIndex lost_in(const std::vector<Answer>& nodes, ubf::NodeIndex node,
+                                     ubf::NodeIndex top);
 /// Who won each field of the root's action, and against whom.
 [[nodiscard]] std::vector<Won> contest(const std::vector<Answer>& nodes);
 
