@@ -134,8 +134,10 @@ def test_wrong_names_are_told(scenario: eyrie.Scenario) -> None:
 def test_who_is_lost_takes_no_orders() -> None:
     scenario = eyrie.load("sweep")
     world = scenario.world(seed=3)
-    world.order("lose", player="eagle2")
     world.order("weapons", player="eagle2", free=False, at_step=5)
+    world.order("lose", player="eagle2")
+    with pytest.raises(ValueError, match="eagle2 is no longer there"):
+        world.order("weapons", player="eagle2", free=False, at_step=5)
     world.step()
     with pytest.raises(ValueError, match="eagle2 is no longer there"):
         world.order("lose", player="eagle2")

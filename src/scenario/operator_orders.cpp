@@ -260,7 +260,7 @@ class OrderReader {
 std::string why_unable(const sim::Order& one, const Scenario& scenario, const sim::World& world,
                        std::span<const sim::Order> waiting) {
   const bool is_lost = std::ranges::any_of(waiting, [&](const sim::Order& before) {
-    return before.player == one.player &&
+    return before.player == one.player && before.step <= one.step &&
            before.kind == sim::OrderKind(model::weapon::OrderKind::lose);
   });
   if (is_lost || !scenario.find(world, one.player))

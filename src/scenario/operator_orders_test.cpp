@@ -202,6 +202,8 @@ TEST_F(OperatorOrder, IsRefusedByWhoCannotObeyIt) {
   };
   for (const char* climb : {"1.6", "-1.6"})
     EXPECT_EQ(give(fmt::format(R"({{"order":"manual","player":"eagle3","climb":{}}})", climb)), "");
+  waiting.push_back(model::weapon::lose_order(100, *scenario_->roster.find("eagle3")));
+  EXPECT_EQ(give(R"({"order":"hand_back","player":"eagle3"})"), "") << "it will be lost later";
   EXPECT_EQ(give(R"({"order":"lose","player":"eagle3"})"), "");
   EXPECT_EQ(give(R"({"order":"hand_back","player":"eagle3"})"), "eagle3 is no longer there");
   const std::string point =
