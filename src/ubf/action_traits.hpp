@@ -15,7 +15,8 @@
 
 namespace eyrie::ubf {
 
-/// What a number may be at all. Beyond it, and for NaN, whoever recommends it has made a mistake.
+/// What a number may be at all. Beyond it, for NaN, and for an enumerator that there is not,
+/// whoever recommends it has made a mistake.
 struct Plausible {
   double least = std::numeric_limits<double>::lowest(), most = std::numeric_limits<double>::max();
   [[nodiscard]] constexpr bool holds(double value) const { return value >= least && value <= most; }
@@ -45,6 +46,8 @@ struct ActionField {
       return plausible.holds(static_cast<double>(value));
     else if constexpr (requires { implausible_part(value); })
       return !implausible_part(value);
+    else if constexpr (NamedEnum<T>)
+      return !enum_name(value).empty();
     else
       return true;
   }
@@ -201,7 +204,7 @@ template <class Action>
   });
   return first;
 }
-/// "heading is nan rad", "follow.position is inf"
+/// "heading is nan rad", "follow.position is inf", "mode is 99, which has no name"
 template <class Action>
 [[nodiscard]] std::string implausible_text(const Action& action, std::size_t field) {
   std::string text;
@@ -212,6 +215,9 @@ template <class Action>
     if constexpr (Field::is_real)
       text = fmt::format("{} is {}{}{}", f.name, *(action.*f.member),
                          f.unit.si_symbol.empty() ? "" : " ", f.unit.si_symbol);
+    else if constexpr (NamedEnum<typename Field::Value>)
+      text =
+          fmt::format("{} is {}, which has no name", f.name, fmt::underlying(*(action.*f.member)));
     else if constexpr (requires { implausible_part(*(action.*f.member)); })
       if (const auto part = implausible_part(*(action.*f.member)))
         text = fmt::format("{}.{} is {}", f.name, part->name, part->value);
@@ -219,13 +225,16 @@ template <class Action>
   return text;
 }
 
-/// "heading is no plausible number", in words that stay.
+/// "heading is no plausible number", "mode is none of its names", in words that stay.
 template <class Action>
 [[nodiscard]] const char* implausible_reason(std::size_t field) {
   static const auto kReasons = [] {
     std::array<std::string, kFields<Action>> reasons;
     for_each_field<Action>([&](const auto& f, auto i) {
-      reasons[i] = fmt::format("{} is no plausible number", f.name);
+      using Field = std::remove_cvref_t<decltype(f)>;
+      reasons[i] = fmt::format(
+          "{} is {}", f.name,
+          NamedEnum<typename Field::Value> ? "none of its names" : "no plausible number");
     });
     return reasons;
   }();

@@ -48,6 +48,12 @@ class Misbehave final : public pilot::Behavior {
       case 5:
         out.action.follow = pilot::Follow{.velocity = {0, kNan, 0}};
         break;
+      case 6:
+        out.action.mode = static_cast<eyrie::model::AutopilotMode>(99);
+        break;
+      case 7:
+        out.action.call = static_cast<pilot::Call>(55);
+        break;
       case 10:
         out.vote = std::numeric_limits<float>::quiet_NaN();
         break;

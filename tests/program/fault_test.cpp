@@ -80,6 +80,8 @@ TEST_F(Fault, NamesFieldAndValueThatMeanNothing) {
   ends(leaf(3), words + "speed is 1e+300 m/s");
   ends(leaf(4), words + "load_factor is -1000000000");
   ends(leaf(5), words + "follow.velocity is nan");
+  ends(leaf(6), words + "mode is 99, which has no name");
+  ends(leaf(7), words + "call is 55, which has no name");
 }
 
 TEST_F(Fault, NamesTheDeepestNodeBehindABlend) {
