@@ -2,6 +2,7 @@
 #include "flight.hpp"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "core/text.hpp"
@@ -75,6 +76,16 @@ void refuse_what_is_set_twice(const FlyOptions& options) {
            quote(paths[first].substr(0, scenario::path_size(paths[first]))));
 }
 
+/// "blue, viper1" as a list in YAML, whatever the names hold.
+std::string list_of(std::string_view names) {
+  nlohmann::json list;
+  for (std::size_t at = 0, end = 0; at <= names.size(); at = end + 1) {
+    end = std::min(names.find(',', at), names.size());
+    list.push_back(trimmed(names.substr(at, end - at)));
+  }
+  return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 }  // namespace
 
 void demand_place_for_runs() {
@@ -85,7 +96,7 @@ std::vector<std::string> overrides(const FlyOptions& options) {
   refuse_what_is_set_twice(options);
   std::vector<std::string> sets = options.sets;
   if (!options.ours.empty())
-    sets.push_back(fmt::format("ours=[{}]", options.ours));
+    sets.push_back("ours=" + list_of(options.ours));
   return sets;
 }
 

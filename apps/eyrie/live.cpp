@@ -39,24 +39,26 @@ bool is_shared(const scenario::Scenario& scenario) {
 
 /// "2 m", "5 deg" or both, with a comma between.
 dis::Thresholds thresholds_of(const std::string& text) {
-  dis::Thresholds thresholds;
+  std::optional<double> position, turn;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size());
     const std::string one = text.substr(at, end - at);
     const Parsed length = parse_quantity(one, Dimension::length);
     const Parsed angle = parse_quantity(one, Dimension::angle);
-    if (length && length.value > 0 && length.value <= 10e3)
-      thresholds.position = length.value;
-    else if (angle && angle.value > 0 && angle.value <= kPi)
-      thresholds.angle = angle.value;
-    else
+    const bool far = length && length.value > 0 && length.value <= 10e3;
+    if (!far && !(angle && angle.value > 0 && angle.value <= kPi))
       refuse(
           "--dis-threshold: {} is no distance up to 10 km and no angle up to 180 deg, such as "
           "'2 m, 5 deg'",
           quote(one));
+    std::optional<double>& threshold = far ? position : turn;
+    if (threshold)
+      refuse("--dis-threshold: {} has two {}", quote(text), far ? "distances" : "angles");
+    threshold = far ? length.value : angle.value;
     at = end + 1;
   }
-  return thresholds;
+  const dis::Thresholds standard;
+  return {.position = position.value_or(standard.position), .angle = turn.value_or(standard.angle)};
 }
 
 /// What makes a host or a socket makes it; or it is refused, and what cannot be done is said.

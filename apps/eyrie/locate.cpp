@@ -147,7 +147,10 @@ std::string scenario_file(const std::string& name) {
   if (!fs::is_regular_file(shipped, ignored))
     return wanted;
   // relative if that is shorter to read
-  const fs::path near = fs::relative(shipped, ignored);
+  const fs::path here = fs::current_path(ignored);
+  if (ignored)
+    refuse("eyrie: the current folder is gone; go to another");
+  const fs::path near = fs::relative(shipped, here, ignored);
   return !ignored && near.native().size() < shipped.native().size() ? near.generic_string()
                                                                     : shipped.generic_string();
 }

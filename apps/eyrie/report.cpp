@@ -65,8 +65,13 @@ void Ends::observe(const sim::World& world, const sim::StepInfo&,
 }
 
 void Report::table(const record::Tally& tally, const Ends& ends) const {
-  say("\n{:<10} {:<5} {:>5} {:>5}  {:<14} {:>9}  {:<10} {}\n", "player", "side", "shots", "kills",
-      "end", "fuel", "phase", "by");
+  std::size_t names = 10, words = 10;  // columns
+  for (std::size_t i = 0; i < tally.players().size(); ++i) {
+    names = std::max(names, scenario_.roster.players[i].name.size());
+    words = std::max(words, tally.players()[i].phase.size());
+  }
+  say("\n{:<{}} {:<5} {:>5} {:>5}  {:<14} {:>9}  {:<{}} {}\n", "player", names, "side", "shots",
+      "kills", "end", "fuel", "phase", words, "by");
   for (std::size_t i = 0; i < tally.players().size(); ++i) {
     const auto& p = tally.players()[i];
     const auto& who = scenario_.roster.players[i];
@@ -75,11 +80,12 @@ void Report::table(const record::Tally& tally, const Ends& ends) const {
                             : p.home ? "home " + record::clock_text(p.end_time)
                                      : std::string(scenario_.fleets[who.fleet]->words.there);
     const std::string line =
-        shown(" {:<5} {:>5} {:>5}  {:<14} {:>9}  {:<10} {}", scenario::side_name(who.side), p.shots,
+        shown(" {:<5} {:>5} {:>5}  {:<14} {:>9}  {:<{}} {}", scenario::side_name(who.side), p.shots,
               p.kills, how, end.fuel ? format_quantity(*end.fuel, Dimension::mass) : "-", p.phase,
-              end.by);
+              words, end.by);
     say("{}{}\n",
-        paint(fmt::format("{:<10}", who.name), who.side == Side::blue ? Tone::blue : Tone::red),
+        paint(fmt::format("{:<{}}", who.name, names),
+              who.side == Side::blue ? Tone::blue : Tone::red),
         Composed{line.substr(0, line.find_last_not_of(' ') + 1)});
   }
   std::vector<std::string> phases;
@@ -114,11 +120,11 @@ std::string pacing_text(const Timing& timing) {
 
 std::string heard_text(const Broadcast::Counts& counts) {
   const dis::HeardCounts& heard = counts.heard;
-  std::string text = fmt::format(
-      "DIS: {} packets heard of {} entities, {} of whom vanished: {} states, {} shots, {} ends, {} "
-      "emissions\n",
-      counts.came->received, heard.entities, heard.vanished, heard.states, heard.shots, heard.ends,
-      heard.emissions);
+  std::string text = fmt::format("DIS: {} heard of {} {}, {} of whom vanished: {}, {}, {}, {}\n",
+                                 counted(counts.came->received, "packet"), heard.entities,
+                                 heard.entities == 1 ? "entity" : "entities", heard.vanished,
+                                 counted(heard.states, "state"), counted(heard.shots, "shot"),
+                                 counted(heard.ends, "end"), counted(heard.emissions, "emission"));
   std::vector<std::string> unused;
   if (const auto lost = counts.came->dropped + counts.came->too_long)
     unused.push_back(fmt::format("{} too many or too long", lost));
@@ -131,8 +137,9 @@ std::string heard_text(const Broadcast::Counts& counts) {
   if (heard.latency.count)
     text += fmt::format("     on their way {:.1f} ms, {:.1f} ms at most\n",
                         1e3 * heard.latency.mean(), 1e3 * heard.latency.max);
-  text += fmt::format("     dead reckoning was off by {:.2f} m, {:.1f} m at most\n",
-                      heard.error.mean(), heard.error.max);
+  if (heard.error.count)
+    text += fmt::format("     dead reckoning was off by {:.2f} m, {:.1f} m at most\n",
+                        heard.error.mean(), heard.error.max);
   if (counts.asked)
     text += fmt::format("     {} of {} to start or stop obeyed{}\n", counts.obeyed,
                         counted(counts.asked, "order"), counts.obeyed ? "" : ": --dis-obey does");

@@ -55,7 +55,7 @@ void add(TrustList& list, const std::vector<std::string>& paths) {
     if (problem.empty() && file.find_first_of("\n\r") != file.npos)
       problem = "its path holds a line break";
     if (!problem.empty())
-      refuse("eyrie: trust {}: {}", scenario::shell_word(path), problem);
+      refuse("eyrie: trust {}: {}", quote_path(path), problem);
     list.add({scenario::sha256(read.bytes), file});
   }
 }
@@ -65,7 +65,7 @@ void remove(TrustList& list, const std::vector<std::string>& paths) {
     const auto known = listed(list.entries(), &TrustList::Entry::path);
     const std::string file = canonical(path);
     if (!list.remove(file))
-      refuse("eyrie: trust --remove {}: it is not trusted{}", scenario::shell_word(path),
+      refuse("eyrie: trust --remove {}: it is not trusted{}", quote_path(path),
              did_you_mean(file, known));
   }
 }

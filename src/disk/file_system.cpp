@@ -76,7 +76,7 @@ std::string words_of(int error) {
 void cannot_make(const std::string& path, int error) {
   const std::string words = fmt::format("cannot make {}: {}", quote_path(path), words_of(error));
   if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG || error == ELOOP ||
-      error == EINVAL || error == EACCES || error == EROFS)
+      error == EINVAL || error == EACCES || error == EPERM || error == EROFS)
     throw Refused(error, words);
   throw Failed(words);
 }

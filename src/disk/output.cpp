@@ -13,6 +13,13 @@
 namespace eyrie::disk {
 namespace {
 
+/// The path of a file.
+const std::string& file_path(const std::string& path) {
+  if (path.ends_with('/'))
+    throw Refused("{} is the name of a folder; name a file", quote_path(path));
+  return path;
+}
+
 /// What stands there, if it may be replaced.
 std::optional<struct stat> replaceable(const Destination& place, bool replace) {
   const auto found = place.look();
@@ -28,7 +35,7 @@ std::optional<struct stat> replaceable(const Destination& place, bool replace) {
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path, bool replace, mode_t mode)
-    : place_(path, Parents::must_exist),
+    : place_(file_path(path), Parents::must_exist),
       replace_(replace),
       mode_(mode),
       before_(replaceable(place_, replace)),
@@ -129,6 +136,8 @@ std::optional<OutputFolder::Old> OutputFolder::find_old() const {
   if (std::ranges::find(inside, wish_.sign) == inside.end())
     throw Refused("{} has no {}: only the folder of {} is replaced", quote_path(path_), wish_.sign,
                   wish_.kind);
+  if (!(found->st_mode & S_IWUSR))
+    throw Refused("{} is read-only, and not replaced; name another folder", quote_path(path_));
   if (const std::string name = foreign(old.folder.get()); !name.empty())
     throw Refused("{} has {}, which Eyrie has not written: it is not replaced", quote_path(path_),
                   quote_path(name));
@@ -165,7 +174,8 @@ Put OutputFolder::put_in_place() {
 }
 
 std::string OutputFolder::commit() {
-  const mode_t mode = old_ ? old_->found.st_mode & 0777U : default_mode(0777);
+  // whoever makes it writes its page into it, too
+  const mode_t mode = S_IRWXU | (old_ ? old_->found.st_mode & 0777U : default_mode(0777));
   if (files().set_mode(part_.handle(), mode) != 0 ||
       (files().sync(part_.handle()) != 0 && errno != EINVAL))
     cannot_make(path_, errno);

@@ -91,7 +91,7 @@ TEST(OutputFolder, IsRefusedWhereNobodyMayWrite) {
   } forbidden;
   const test::TempFolder folder;
   const Instead instead(forbidden);
-  for (const int error : {EACCES, EROFS}) {
+  for (const int error : {EACCES, EPERM, EROFS}) {
     forbidden.error = error;
     EXPECT_EQ(refusal(wish(folder, "run")),
               "cannot make '" + (folder / "run") + "': " + words_of(error));
@@ -131,13 +131,20 @@ TEST(OutputFolder, ReplacesAnOldOneAndKeepsWhoMayReadIt) {
   struct stat made {};
   ASSERT_EQ(::stat((folder / "run").c_str(), &made), 0);
   EXPECT_EQ(made.st_mode & 0777U, 0710U);
+  ::chmod((folder / "run").c_str(), 0510);
+  EXPECT_EQ(refusal(wish(folder, "run", true)),
+            "'" + (folder / "run") + "' is read-only, and not replaced; name another folder");
 }
 
 TEST(OutputFolder, TakesAnEmptyFolder) {
   const test::TempFolder folder;
   fs::create_directory(folder / "run");
+  ::chmod((folder / "run").c_str(), 0555);
   EXPECT_EQ(make(wish(folder, "run"), "new"), "");
   EXPECT_EQ(folder.everything(), (List{"run", "run/sign"}));
+  struct stat made {};
+  ASSERT_EQ(::stat((folder / "run").c_str(), &made), 0);
+  EXPECT_EQ(made.st_mode & 0777U, 0755U) << "whoever makes it writes into it";
 }
 
 /// Whatever is no folder of ours stays as it is, and is named.
@@ -353,7 +360,7 @@ TEST(OutputFile, ReplacesFilesOnlyAndOnlyWhenTold) {
        {std::pair("folder", "is a folder; only files are replaced"),
         std::pair("link", "is a symbolic link; only"), std::pair("pipe", "is a pipe; only"),
         std::pair("none/file", "there is no folder"), std::pair("file/x", "Not a directory"),
-        std::pair("..", "is no place")})
+        std::pair("..", "is no place"), std::pair("none/", "is the name of a folder")})
     EXPECT_NE(refusal(folder / name, true).find(words), std::string::npos)
         << refusal(folder / name, true);
   EXPECT_NE(refusal("/dev/null", true).find("is a device; only"), std::string::npos);

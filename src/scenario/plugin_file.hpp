@@ -22,10 +22,10 @@ inline constexpr std::size_t kLargestPlugin = std::size_t{512} << 20;
 /// A path as it may be typed into a shell and shown on a terminal: quoted if it has to be.
 [[nodiscard]] std::string shell_word(std::string_view path);
 
-/// Why a file is no whole shared library (ELF, for this machine), in words; empty if it is one. The
-/// dynamic linker believes what stands in a file and is killed by what is cut short. Checked is
-/// what it believes: every segment, every section and every table of the dynamic segment lies
-/// inside the file. System V ABI (gABI 4.1), chapters 4 and 5.
+/// Why a file is no whole plug-in (a shared library in ELF, for this machine), in words; empty if
+/// it is one. The dynamic linker believes what stands in a file and is killed by what is cut short.
+/// Checked is what it believes: every segment, every section and every table of the dynamic segment
+/// lies inside the file. System V ABI (gABI 4.1), chapters 4 and 5.
 [[nodiscard]] std::string shared_object_problem(std::string_view file);
 
 }  // namespace eyrie::scenario

@@ -47,6 +47,8 @@ constexpr std::array<std::int64_t, 6> kUnsized{DT_SYMTAB, DT_HASH,    DT_GNU_HAS
                                                DT_VERSYM, DT_VERNEED, DT_VERDEF};
 /// Places in the table of texts.
 constexpr std::array<std::int64_t, 4> kTexts{DT_NEEDED, DT_SONAME, DT_RPATH, DT_RUNPATH};
+/// Among the names of its symbols is that of what EYRIE_PLUGIN exports, with its end.
+constexpr std::string_view kExported("eyrie_plugin", sizeof "eyrie_plugin");
 
 class ElfChecker {
  public:
@@ -182,6 +184,8 @@ class ElfChecker {
     }
     if (!ended)
       return damaged("its dynamic segment has no end");
+    if (said(DT_FLAGS_1).value_or(0) & DF_1_PIE)
+      return refuse("it is a program, not a shared library");
     for (const ElfTable& table : kTables)
       if (const auto address = said(table.address))
         if (!place(*address, said(table.size).value_or(0)))
@@ -203,6 +207,8 @@ class ElfChecker {
     for (const ElfDynamic& d : entries_)
       if (std::ranges::find(kTexts, d.d_tag) != kTexts.end() && d.d_un.d_val >= size)
         return damaged("one of its names lies outside");
+    if (file_.substr(*at, size).find(kExported) == file_.npos)
+      return refuse("it is not a plug-in: there is no EYRIE_PLUGIN in it");
     return true;
   }
 

@@ -78,6 +78,9 @@ class Disk final : public Source::Folders {
 
   std::string why_unread(const std::string& name, const std::string& asker) const override {
     const disk::FileRead read = disk::read_file(place_of(name), Source::kLargest);
+    constexpr std::string_view kAgain = "cannot be read";
+    if (!read.missing && read.problem.starts_with(kAgain))
+      return read.problem.substr(kAgain.size());
     if (!read.missing)
       return read.problem.empty() ? "" : ": it " + read.problem;
     if (const std::string own = same_of_ours(name, asker); !own.empty())

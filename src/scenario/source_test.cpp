@@ -86,6 +86,8 @@ TEST_F(SourceOnDisk, SaysWhyAFileIsNotRead) {
   const std::string folder = (folder_ / "data").string();
   EXPECT_EQ(source.why_unread(folder, ""),
             "cannot read '" + folder + "': it is a folder, not a file");
+  EXPECT_EQ(source.why_unread("/proc/self/mem", ""),
+            "cannot read '/proc/self/mem': Input/output error");
   write("near.yaml", "x");
   const std::string missing = (folder_ / "neer.yaml").string();
   EXPECT_EQ(source.why_unread(missing, ""),

@@ -14,8 +14,14 @@ namespace {
 using scenario::shared_object_problem;
 
 TEST(SharedObject, IsTakenWhole) {
-  for (const char* name : {"good", "broken", "taken", "throwing", "foreign", "unresolved", "old"})
+  for (const char* name : {"good", "broken", "taken", "throwing", "unresolved", "old"})
     EXPECT_EQ(shared_object_problem(read_text(plugin(name))), "") << name;
+}
+
+TEST(SharedObject, IsAPlugIn) {
+  EXPECT_EQ(shared_object_problem(read_text(plugin("foreign"))),
+            "it is not a plug-in: there is no EYRIE_PLUGIN in it");
+  EXPECT_TRUE(shared_object_problem(read_text(program_path())).ends_with("not a shared library"));
 }
 
 TEST(SharedObject, IsRefusedCutAtAnyLength) {
@@ -38,7 +44,7 @@ TEST(SharedObject, IsRefusedCutAtAnyLength) {
 /// The tables that the linker believes, byte by byte: whatever stands there, nobody reads beyond
 /// the file. The sanitizers watch.
 TEST(SharedObject, IsReadCarefully) {
-  std::string bytes = read_text(plugin("foreign"));
+  std::string bytes = read_text(plugin("unresolved"));
   std::size_t refused = 0;
   for (std::size_t at = 0; at < bytes.size(); ++at)
     for (const char value : {'\x00', '\x7f', '\xff'}) {

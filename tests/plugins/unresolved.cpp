@@ -3,6 +3,6 @@
 namespace eyrie::pilot {
 double nowhere(double x);
 }
-extern "C" __attribute__((visibility("default"))) double answer() {
+extern "C" __attribute__((visibility("default"))) double eyrie_plugin() {
   return eyrie::pilot::nowhere(42);
 }

@@ -178,6 +178,15 @@ TEST(DisExercise, IsFrozenForViewersWhileAnotherProgramSaysSo) {
   EXPECT_EQ(viewer.follow_to_the_end()["outcome"], "stopped");
 }
 
+TEST(DisExercise, SaysNothingOfDeadReckoningWhereNobodyWasHeard) {
+  const TempFolder folder;
+  const Ran ran = run_program(folder, {"fly", "merge", "--until", "1 s", "--ours", "blue", "--dis",
+                                       "239.30.12.85:30185", "--real-time", "max"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find(" heard of 0 entities, "), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out.find("dead reckoning"), std::string::npos) << ran.out;
+}
+
 TEST(DisExercise, RefusesWhoIsNobodyAndWhatIsNoThreshold) {
   const TempFolder folder;
   for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{

@@ -84,6 +84,16 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
                    place + "/flight.acmi", place + "/run.eyrie"}));
 }
 
+TEST(FlyWords, HaveRoomForLongNames) {
+  const TempFolder folder;
+  const std::string name = "a_flight_that_has_a_rather_long_name";
+  folder.write("x.yaml",
+               changed_scenario({{"eagle:", name + ":"}, {"[eagle1, eagle2]", "[" + name + "1]"}}));
+  const Ran ran = run_program(folder, {"fly", "x.yaml", "--no-debrief"});
+  EXPECT_TRUE(has(ran.out, "\nplayer {32}side  shots[^\n]*\n" + name + "1 blue      0 "))
+      << ran.out;
+}
+
 TEST(FlyQuiet, TellsOnlyHowItEnded) {
   const TempFolder folder;
   const Ran ran = run_program(folder, merge({"--quiet"}));

@@ -279,6 +279,9 @@ TEST(TablesProgram, WritesTheSameEveryTimeAndRefusesWhatIsNoSelection) {
   for (const std::vector<std::string>& wrong :
        std::vector<std::vector<std::string>>{{"--to", "sqlite", "--every", "often"},
                                              {"--to", "sqlite", "--every", "-1 s"},
+                                             {"--to", "sqlite", "--every", "1"},
+                                             {"--to", "sqlite", "--every", "1:30"},
+                                             {"--to", "decisions", "--out", "folder/"},
                                              {"--to", "answers", "--player", "eagle9"},
                                              {"--to", "czml", "--changes-only"},
                                              {"--to", "geojson", "--every", "1 s"},

@@ -127,14 +127,14 @@ TEST_F(Trust, IsForAPathAndItsContent) {
 
 TEST_F(Trust, IsShownAndTakenBack) {
   EXPECT_EQ(run({"trust", "--list"}).out, "");
-  ASSERT_EQ(run({"trust", "libgood.so", plugin("foreign")}).code, 0);
+  ASSERT_EQ(run({"trust", "libgood.so", plugin("greet")}).code, 0);
   const Ran shown = run({"trust", "--list"});
   EXPECT_EQ(shown.out, read_text(list()));
   EXPECT_NE(shown.out.find("  " + library() + "\n"), std::string::npos) << shown.out;
   const std::string was = library();
   const Ran none = run({"trust", "--remove", "libgoo.so"});
   EXPECT_EQ(none.code, 2);
-  EXPECT_EQ(none.err, "eyrie: trust --remove libgoo.so: it is not trusted; did you mean '" +
+  EXPECT_EQ(none.err, "eyrie: trust --remove 'libgoo.so': it is not trusted; did you mean '" +
                           library() + "'?\n");
   fs::rename(library(), folder / "gone.so");  // what is not there any more can be taken back, too
   EXPECT_EQ(run({"trust", "--remove", "libgood.so"}).out, "no longer trusted: " + was + "\n");
@@ -145,10 +145,12 @@ TEST_F(Trust, IsShownAndTakenBack) {
 
 TEST_F(Trust, TakesAllOrNothing) {
   folder.write("half.so", read_text(library()).substr(0, 5000));
-  for (const std::string wrong : {"nowhere.so", "half.so", "small.yaml", "."}) {
+  const std::string foreign = plugin("foreign"), huge(5000, 'x');
+  for (const auto& wrong :
+       std::vector<std::string>{"nowhere.so", "half.so", "small.yaml", ".", foreign, huge}) {
     const Ran ran = run({"trust", "libgood.so", wrong});
     EXPECT_EQ(ran.code, 2) << wrong;
-    EXPECT_TRUE(ran.err.starts_with("eyrie: trust " + wrong + ": ")) << ran.err;
+    EXPECT_TRUE(ran.err.starts_with("eyrie: trust " + quote_path(wrong) + ": ")) << ran.err;
     EXPECT_EQ(ran.out, "");
     EXPECT_FALSE(fs::exists(list()));
   }

@@ -271,6 +271,16 @@ INSTANTIATE_TEST_SUITE_P(
         Typed{"OursThatIsNobody",
               {"fly", "x.yaml", "--dis", "--ours", "blu"},
               "--ours blu: there is no side, flight or player 'blu'; did you mean 'blue'?\n"},
+        Typed{"OursThatIsNoName",
+              {"fly", "x.yaml", "--dis", "--ours", "blue],*x"},
+              "--ours blue],*x: there is no side, flight or player 'blue]'; did you mean 'blue'?\n"
+              "--ours blue],*x: there is no side, flight or player '*x'\n"},
+        Typed{"OursThatIsEmpty",
+              {"fly", "x.yaml", "--dis", "--ours", "blue,"},
+              "--ours blue,: there is no side, flight or player ''\n"},
+        Typed{"TwoDistancesOfDis",
+              {"fly", "x.yaml", "--dis", "--dis-threshold", "2 m, 3 deg, 3 m"},
+              "--dis-threshold: '2 m, 3 deg, 3 m' has two distances\n"},
         Typed{"ZonesAboveTheirTable",
               {"zones", "aim9", "--draw", "--altitude", "100 km"},
               "eyrie: --altitude '100 km': must be from 300 m to 15 km, for which zones are "
@@ -321,6 +331,14 @@ TEST(LongArguments, AreNotEchoedWhole) {
     EXPECT_NE(ran.err.find("x..."), std::string::npos) << which << " is not named: " << ran.err;
   }
   EXPECT_EQ(folder.everything(), std::vector<std::string>{"x.yaml"});
+}
+
+TEST(CurrentFolder, IsSaidToBeGone) {
+  const TempFolder folder;
+  const Ran ran =
+      run_line(folder, "mkdir gone && cd gone && rmdir ../gone && eyrie validate merge");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.err, "eyrie: the current folder is gone; go to another\n");
 }
 
 TEST(WrongHome, IsSaidToBeWrong) {
