@@ -249,7 +249,10 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
   return fmt::format(
       "{}{} voted {:g} against {:g}{}", then.label,
       lost == ubf::kNone ? "" : fmt::format(" lost in {}, which", now.nodes[lost].label), voted,
-      against, voted > against ? ", and votes did not decide" : "");
+      against,
+      voted > against    ? ", and votes did not decide"
+      : voted == against ? ", and comes later"
+                         : "");
 }
 
 void put_names(std::string& text, const Decision& decision, const scenario::Scenario& scenario) {

@@ -150,7 +150,13 @@ std::pair<std::string, std::string> event_texts(const sim::Event* x, const sim::
     }
   }
   compare("detail", Dimension::none, x->detail, y->detail);
-  compare("aux", Dimension::none, x->aux, y->aux);
+  const ubf::AnyTree *mine = record::tree_of(left, *x), *its = record::tree_of(right, *y);
+  if (std::ranges::none_of(values, &model::EventValue::is_of_tree) || !mine || !its) {
+    compare("aux", Dimension::none, x->aux, y->aux);
+  } else if (mine->name() != its->name()) {
+    one += fmt::format(", tree '{}'", mine->name());
+    other += fmt::format(", tree '{}'", its->name());
+  }
   compare("x", Dimension::length, x->place.x, y->place.x);
   compare("y", Dimension::length, x->place.y, y->place.y);
   compare("z", Dimension::length, x->place.z, y->place.z);
@@ -174,21 +180,6 @@ std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
         return fmt::format("{}; and {} in the other", one, other);
     }
   return std::nullopt;
-}
-
-/// Whether worlds have the same tables, but for how much the agents' trees remember.
-bool same_tables(const sim::Schema& a, const sim::Schema& b) {
-  const auto same_field = [](const FieldInfo& x, const FieldInfo& y) {
-    return x.name == y.name && x.type == y.type && x.offset == y.offset &&
-           (x.count == y.count || x.type == Scalar::bytes);
-  };
-  return std::ranges::equal(a.tables(), b.tables(), {}, &sim::TableInfo::name,
-                            &sim::TableInfo::name) &&
-         std::ranges::equal(a.columns(), b.columns(),
-                            [&](const sim::ColumnInfo& x, const sim::ColumnInfo& y) {
-                              return x.name == y.name && x.table == y.table &&
-                                     std::ranges::equal(x.fields, y.fields, same_field);
-                            });
 }
 
 }  // namespace
@@ -298,7 +289,8 @@ void Reflight::demand_the_same() {
 std::optional<RunDifference> compare(const Recorded& left, const Recorded& right,
                                      std::string& problem) {
   const scenario::Scenario& scenario = *left.scenario;
-  if (!same_tables(scenario.simulation->schema(), right.scenario->simulation->schema())) {
+  if (!sim::same_but_for_bytes(scenario.simulation->schema(),
+                               right.scenario->simulation->schema())) {
     problem = fmt::format("{} and {} have worlds of other tables: other kinds of players",
                           left.file, right.file);
     return std::nullopt;

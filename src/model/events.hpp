@@ -79,10 +79,13 @@ struct EventValue {
   EventCode code = EventCode::number;
   std::string_view help{};
 
+  /// Its number is an index into the tree `aux`.
+  [[nodiscard]] constexpr bool is_of_tree() const {
+    return code == EventCode::child || code == EventCode::node;
+  }
   /// Its number is an index, which says nothing to anybody outside.
   [[nodiscard]] constexpr bool is_name() const {
-    return code == EventCode::weapon || code == EventCode::child || code == EventCode::node ||
-           code == EventCode::flight;
+    return code == EventCode::weapon || code == EventCode::flight || is_of_tree();
   }
 };
 

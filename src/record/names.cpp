@@ -11,15 +11,14 @@ std::string missile_name(const scenario::Scenario& scenario, const std::string& 
   return fmt::format("{} #{} of {}", label, id.value, scenario.roster.name(shooter));
 }
 
-/// The tree that an event names, or null.
+}  // namespace
+
 const ubf::AnyTree* tree_of(const scenario::Scenario& scenario, const sim::Event& e) {
   if (!scenario.roster.find(e.who))
     return nullptr;
   const auto& trees = scenario.fleet_of(e.who).trees;
   return e.aux < trees.size() ? trees[e.aux] : nullptr;
 }
-
-}  // namespace
 
 bool is_outermost(const scenario::Scenario& scenario, const sim::Event& phase) {
   if (const ubf::AnyTree* tree = tree_of(scenario, phase))

@@ -16,6 +16,9 @@ namespace eyrie::record {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));
 }
 
+/// Of an event whose values are of a tree (EventValue::is_of_tree): that tree, null if there is
+/// none.
+[[nodiscard]] const ubf::AnyTree* tree_of(const scenario::Scenario& scenario, const sim::Event& e);
 /// Of a phase event: whether its sequencer is the outermost one of the player's tree.
 [[nodiscard]] bool is_outermost(const scenario::Scenario& scenario, const sim::Event& phase);
 /// Label of a node of the tree that an event names, "" if there is none.

@@ -165,4 +165,17 @@ std::shared_ptr<const Schema> SchemaBuilder::build() {
   return std::shared_ptr<const Schema>(std::move(schema_));
 }
 
+bool same_but_for_bytes(const Schema& a, const Schema& b) {
+  const auto same_field = [](const FieldInfo& x, const FieldInfo& y) {
+    return x.name == y.name && x.type == y.type && x.offset == y.offset &&
+           (x.count == y.count || x.type == Scalar::bytes);
+  };
+  return std::ranges::equal(a.tables(), b.tables(), {}, &TableInfo::name, &TableInfo::name) &&
+         std::ranges::equal(a.columns(), b.columns(),
+                            [&](const ColumnInfo& x, const ColumnInfo& y) {
+                              return x.name == y.name && x.table == y.table &&
+                                     std::ranges::equal(x.fields, y.fields, same_field);
+                            });
+}
+
 }  // namespace eyrie::sim

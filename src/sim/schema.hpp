@@ -115,4 +115,8 @@ class SchemaBuilder {
   std::unique_ptr<Schema> schema_;
 };
 
+/// Whether worlds have the same tables, but for their capacities and for how many bytes without a
+/// description are in a column, such as what the trees of agents remember.
+[[nodiscard]] bool same_but_for_bytes(const Schema& a, const Schema& b);
+
 }  // namespace eyrie::sim

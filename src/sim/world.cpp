@@ -113,7 +113,7 @@ void World::compact(TableId table) {
 }
 
 std::optional<World> World::moved_to(std::shared_ptr<const Schema> schema) const {
-  if (schema->layout_hash() != schema_->layout_hash())
+  if (!same_but_for_bytes(*schema, *schema_))
     return std::nullopt;
   World moved(std::move(schema), seed());
   std::memcpy(moved.data(), data(), header_bytes().size());
@@ -121,7 +121,8 @@ std::optional<World> World::moved_to(std::shared_ptr<const Schema> schema) const
     const ColumnInfo& column = moved.schema().column(i);
     if (rows(column.table) > moved.schema().table(column.table).capacity)
       return std::nullopt;
-    std::memcpy(moved.data() + column.offset, column_bytes(i).data(), column_bytes(i).size());
+    if (column.stride == schema_->column(i).stride)
+      std::memcpy(moved.data() + column.offset, column_bytes(i).data(), column_bytes(i).size());
   }
   return moved;
 }

@@ -127,8 +127,9 @@ class World {
   /// calls it at the end of its commit.
   void compact();
 
-  /// The same world for another schema of this layout, which may have other capacities. Nothing if
-  /// the layout is another, or a table has too little room.
+  /// The same world for another schema, which may have other capacities. Columns of bytes without
+  /// a description stay zero where the other's have another size. Nothing if anything else is
+  /// otherwise (same_but_for_bytes), or a table has too little room.
   [[nodiscard]] std::optional<World> moved_to(std::shared_ptr<const Schema> schema) const;
 
   /// Becomes that world, as by assignment, but copies no unused rows if both are of one schema.

@@ -197,6 +197,28 @@ TEST(World, MovesToASchemaWithOtherCapacities) {
   EXPECT_FALSE(world.moved_to(other.build()));
 }
 
+TEST(World, MovesToASchemaInWhichSomebodyRemembersMore) {
+  const auto schema = [](std::uint32_t bytes, std::string_view name) {
+    SchemaBuilder builder;
+    const TableId table = builder.add_table("bird", 5);
+    static_cast<void>(builder.add_bytes(table, name, bytes));
+    static_cast<void>(builder.add_bytes(table, "nest", 8));
+    return builder.build();
+  };
+  World world(schema(8, "brain"), 1);
+  const TableId table{1};
+  ASSERT_TRUE(world.spawn(table));
+  for (const std::uint32_t column : {2u, 3u})
+    std::ranges::fill(world.bytes(ByteColumn{column}, 0), std::byte{7});
+  const auto moved = world.moved_to(schema(16, "brain"));
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->rows(table), 1u);
+  EXPECT_EQ(moved->bytes(ByteColumn{2}, 0)[0], std::byte{0}) << "of another size";
+  EXPECT_EQ(moved->bytes(ByteColumn{3}, 0)[0], std::byte{7});
+  EXPECT_TRUE(moved->canonical());
+  EXPECT_FALSE(world.moved_to(schema(16, "mind")));
+}
+
 TEST(World, HashesTheSeedTheStepAndEveryByteOfALiveRow) {
   const Swarm swarm(4, 4);
   World world = swarm.world(3);

@@ -68,5 +68,28 @@ TEST(DiffProgram, ComparesThoseOfTheSameNamesByWhatTheyDecide) {
       << row;
 }
 
+TEST(DiffProgram, NamesTheTreesOfAnEventWhereverTheyStandInTheFile) {
+  const TempFolder folder;
+  // the same phases: of a tree with another name, and of the same tree behind one more
+  const std::string phases = "{sequencer: {start: a, trees: {a: navigate}}}";
+  folder.write("one.yaml", changed_scenario({{"trees:", "trees:\n  one: " + phases}}));
+  folder.write("two.yaml",
+               changed_scenario({{"trees:", "trees:\n  before: navigate\n  one: " + phases}}));
+  folder.write("three.yaml",
+               changed_scenario({{"trees:", "trees:\n  before: navigate\n  other: " + phases}}));
+  for (const std::string name : {"one", "two", "three"})
+    ASSERT_EQ(run_program(folder,
+                          {"fly", name + ".yaml", "--out", name, "--quiet", "--no-debrief", "--set",
+                           name == "three" ? "blue.flights.eagle.tree=other"
+                                           : "blue.flights.eagle.tree=one"})
+                  .code,
+              0);
+  const std::string same = run_program(folder, {"diff", "one", "two"}).out;
+  EXPECT_EQ(same.find("aux"), std::string::npos) << same;
+  EXPECT_EQ(same.find("event"), std::string::npos) << same;
+  const std::string other = run_program(folder, {"diff", "one", "three"}).out;
+  EXPECT_NE(other.find(", tree 'one'; and"), std::string::npos) << other;
+}
+
 }  // namespace
 }  // namespace eyrie::test

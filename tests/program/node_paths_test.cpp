@@ -147,5 +147,19 @@ TEST_F(ChangedNode, HasNoPathIntoAParameter) {
   EXPECT_EQ(what_if("trees.pilot.commitment.navigate.vote.most=10").code, 0);
 }
 
+TEST(NodePaths, BranchWithANodeThatRemembersLess) {
+  const TempFolder folder;
+  ASSERT_EQ(run_program(folder, {"fly", "commitment", "--until", "2 min", "--quiet", "--no-debrief",
+                                 "--out", "run"})
+                .code,
+            0);
+  const Ran ran = run_program(folder, {"whatif", "run", "--player", "eagle1", "--set",
+                                       "root/commitment=winner_takes_all", "--branch", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const auto said = nlohmann::json::parse(ran.out);
+  EXPECT_GT(said["different"], 0);
+  EXPECT_GT(said["branch"]["time_s"], 0) << said["branch"];
+}
+
 }  // namespace
 }  // namespace eyrie::test

@@ -148,5 +148,5 @@ export function why_not(tree: Tree, shape: Shape, before: number): string {
   let lost = before;
   while (lost !== its && (lost === before || hands_on(lost))) lost = tree.nodes[lost]!.parent;
   const came_up = !shape.supplier[before]?.some((from) => from >= 0) || lost === before || hands_on(lost);
-  return `${then.label}${came_up ? '' : ` lost in ${tree.nodes[lost]!.label}, which`} voted ${general(voted)} against ${general(against)}${voted > against ? ', and votes did not decide' : ''}`;
+  return `${then.label}${came_up ? '' : ` lost in ${tree.nodes[lost]!.label}, which`} voted ${general(voted)} against ${general(against)}${voted > against ? ', and votes did not decide' : voted === against ? ', and comes later' : ''}`;
 }
