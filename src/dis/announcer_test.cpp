@@ -98,7 +98,7 @@ struct Heard {
 };
 
 const Heard& sweep() {
-  static const Heard heard("sweep", 1e9, {}, 1);  // of the first seeds one with a near miss
+  static const Heard heard("sweep", 1e9);
   return heard;
 }
 
@@ -143,15 +143,20 @@ TEST(Announcer, TellsEveryShotAndItsEnd) {
   ASSERT_GT(launches.size(), 3u);
   ASSERT_EQ(fires.size(), launches.size() + sweep().events(EventKind::gun_burst));
   std::map<EventId, Fire> shots;
-  for (std::size_t i = 0; i < launches.size(); ++i) {
-    const auto& [time, fire] = fires[i];
+  std::size_t i = 0;
+  for (const auto& [time, fire] : fires) {
+    EXPECT_TRUE(shots.try_emplace(fire.event, fire).second) << "every shot has its number";
+    if (fire.munition.entity == 0)
+      continue;  // a burst
+    ASSERT_LT(i, launches.size());
     EXPECT_EQ(time, launches[i].time);
     EXPECT_EQ(fire.shooter.entity, launches[i].event.detail);
     EXPECT_EQ(fire.target.entity, launches[i].event.whom.value);
     EXPECT_EQ(fire.munition.entity, launches[i].event.who.value);
     EXPECT_EQ(fire.range, launches[i].event.values[0]);
-    EXPECT_TRUE(shots.try_emplace(fire.event, fire).second) << "every shot has its number";
+    ++i;
   }
+  EXPECT_EQ(i, launches.size());
   EXPECT_EQ(ends.size(),
             sweep().events(EventKind::detonation) + sweep().events(EventKind::timeout));
   for (const auto& [time, end] : ends) {
@@ -168,9 +173,10 @@ TEST(Announcer, SaysHowAWeaponEnded) {
   for (const auto& [time, end] : sweep().listener.of<Detonation>())
     ends.try_emplace(end.munition.entity, end);
   const auto kills = sweep().flight.log.of(EventKind::kill);
-  ASSERT_EQ(kills.size(), 2u);
+  ASSERT_GT(kills.size(), 0u);
   for (const auto& kill : kills)
-    EXPECT_EQ(ends.at(kill.event.detail).result, Result::proximate);
+    EXPECT_TRUE(kill.event.detail == 0 ||  // a gun
+                ends.at(kill.event.detail).result == Result::proximate);
   for (const auto& fuze : sweep().flight.log.of(EventKind::detonation)) {
     const Detonation& end = ends.at(fuze.event.who.value);
     EXPECT_EQ(end.result == Result::proximate, fuze.event.values[2] < fuze.event.values[1]);
@@ -246,12 +252,14 @@ TEST(Announcer, TakesLeaveOfEverybody) {
     EXPECT_EQ(last[state.id.entity] & kDeactivated, 0u) << "nothing is told of who has left";
     last[state.id.entity] = state.appearance;
   }
-  const auto home = sweep().flight.log.of(model::EventKind::home);
-  ASSERT_EQ(home.size(), 4u);
+  ASSERT_GT(sweep().events(model::EventKind::home), 0u);
+  const auto kills = sweep().flight.log.of(model::EventKind::kill);
   for (const auto& [id, appearance] : last) {
-    const bool is_home = std::any_of(home.begin(), home.end(),
-                                     [&](const auto& h) { return h.event.who.value == id; });
-    EXPECT_EQ(appearance, is_home ? kDeactivated : kDeactivated | kDestroyed) << id;
+    const bool is_aircraft = id <= 6;  // who is home, or flies on when it is over, is whole
+    const bool is_lost =
+        !is_aircraft || std::any_of(kills.begin(), kills.end(),
+                                    [&](const auto& k) { return k.event.whom.value == id; });
+    EXPECT_EQ(appearance, is_lost ? kDeactivated | kDestroyed : kDeactivated) << id;
   }
   EXPECT_EQ(last.size(), 6 + sweep().events(model::EventKind::launch));
   ASSERT_EQ(sweep().listener.of<StartResume>().size(), 1u);

@@ -102,37 +102,53 @@ struct InSight final : Condition {
 
 struct ClearSince {
   double time = 0;          ///< s, when the area became clear
+  double known = 0;         ///< s, when somebody was last known in it; 0: nobody was
+  Vec3 place{};             ///< m, local frame, where he was
   std::uint32_t clear = 0;  ///< 1: it is
   std::uint32_t reserved = 0;
 };
 
 /// No hostile and no unknown track inside a radius for some time, and no missile perceived. A radar
-/// that is heard does not count: nobody knows how far it is.
+/// that is heard does not count: nobody knows how far it is. With `memory` nobody is gone because
+/// one has turned away from him: where he was last known has to be looked at.
 struct AreaClear final : ubf::WithMemory<Condition, ClearSince> {
   static constexpr std::string_view type_name = "area_clear";
   static constexpr std::string_view help =
       "nobody but friends within a range, and no missile perceived, for some time";
   static constexpr auto params() {
-    return Lines{param("within", &AreaClear::within, "m", range(0, 1e6), "from here"),
-                 param("for", &AreaClear::duration, "s", range(0, 3600),
-                       "how long it must have been clear")};
+    return Lines{
+        param("within", &AreaClear::within, "m", range(0, 1e6), "from here"),
+        param("for", &AreaClear::duration, "s", range(0, 3600), "how long it must have been clear"),
+        param("memory", &AreaClear::remembered, "s", range(0, 3600),
+              "who was lost while he was more than 60° off the nose counts for so long, "
+              "or until his place is nearer to it")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     ClearSince& m = memory(t);
-    const auto tracks = t.state.tracks_seen();
-    if (t.state.threats.count > 0 ||
-        std::any_of(tracks.begin(), tracks.end(),
-                    [&](const Seen& seen) { return seen.suspect() && seen.range <= within; })) {
-      m = {};
+    const State& s = t.state;
+    bool clear = s.threats.count == 0;
+    for (const Seen& seen : s.tracks_seen())
+      if (seen.suspect() && seen.range <= within) {
+        m.known = s.time;
+        m.place = position_at(*seen.track, s.time);
+        clear = false;
+      }
+    const bool remembers = m.known > 0 && !ubf::passed(s.time, m.known, remembered);
+    if (!clear || (remembers && s.off_nose(to_ned(s.own, m.place - s.own.position)) > kLooked)) {
+      m.clear = 0;
       return false;
     }
-    if (!m.clear)
-      m = {t.state.time, 1, 0};
-    return ubf::passed(t.state.time, m.time, duration);
+    if (!m.clear) {
+      m.time = s.time;
+      m.clear = 1;
+    }
+    return ubf::passed(s.time, m.time, duration);
   }
 
+  static constexpr double kLooked = si(60, "deg");  ///< off the nose, what a radar covers
   double within = si(60, "nmi");
   double duration = 20;
+  double remembered = 0;
 };
 
 /// A missile is believed to come for this aircraft.

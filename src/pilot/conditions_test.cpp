@@ -140,6 +140,31 @@ TEST(AreaClear, StartsAnewWhenSomebodyComes) {
   EXPECT_EQ(pilot.decide(desk).status, kSuccess);
 }
 
+TEST(AreaClear, HoldsForNobodyWhoTurnedAwayFromThem) {
+  Desk desk;
+  Pilot pilot("{area_clear: {within: 50 nmi, for: 20 s, memory: 2 min}}");
+  desk.track({-6 * kNmi, 0, 0});  // behind
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.tracks = {};
+  desk.time += 60;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.own = model::test::flying(desk.own.position, kPi, 250);  // turns and looks
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.time += 20;
+  EXPECT_EQ(pilot.decide(desk).status, kSuccess);
+  // who does not look knows it when the time is up
+  Pilot other("{area_clear: {within: 50 nmi, for: 20 s, memory: 2 min}}");
+  desk.track({6 * kNmi, 0, 0});
+  EXPECT_EQ(other.decide(desk).status, kFailure);
+  desk.tracks = {};
+  for (const double later : {119.9, 0.2, 19.7}) {
+    desk.time += later;
+    EXPECT_EQ(other.decide(desk).status, kFailure) << later;
+  }
+  desk.time += 0.4;
+  EXPECT_EQ(other.decide(desk).status, kSuccess);
+}
+
 TEST(AreaClear, DoesNotMindFriendsAndWhatIsFar) {
   Desk desk;
   desk.track({10 * kNmi, 0, 0}, 0, 250, Identity::friendly);

@@ -63,6 +63,13 @@ double steepest_above(const State& s, double floor, double load_factor) {
   return math::acos(1 - std::clamp((s.own.altitude - sunk - floor) / radius, 0.0, 1.0));
 }
 
+double held_back(const State& s, const Seen& target, std::optional<double> overtake, double speed) {
+  if (!overtake)
+    return speed;
+  const double his = norm(s.velocity_of(target) - s.wind());
+  return std::clamp(his + *overtake, speed / 2, speed);
+}
+
 void aim(const State& s, const Vec3& direction, const Pull& pull, Action& action) {
   constexpr double kBack = 5;             // s, to come back to the floor from below
   constexpr double kSteepestBack = 0.35;  // rad

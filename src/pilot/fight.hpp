@@ -36,6 +36,11 @@ struct Angles {
 /// what the wing gives of them, still ends above `floor` (m).
 [[nodiscard]] double steepest_above(const State& s, double floor, double load_factor);
 
+/// m/s true airspeed: `speed`, but at most `overtake` faster than the target, if that is given, and
+/// no slower than half of it.
+[[nodiscard]] double held_back(const State& s, const Seen& target, std::optional<double> overtake,
+                               double speed);
+
 /// How a direction is flown to.
 struct Pull {
   double load_factor;  ///< g, to turn with

@@ -189,6 +189,36 @@ TEST(Maneuver, ComesBackFromBelowItsFloor) {
   }
 }
 
+TEST(Gun, BearsOnATargetThatTurnsAndStaysBehindIt) {
+  // he flies a level circle at 7 degrees a second, the pilot begins half a kilometer behind on it
+  const double rate = 7 * kDegree, his_speed = 200, radius = his_speed / rate;
+  for (const std::string tree :
+       {"{lead_pursuit: {overtake: 10 m/s}}", "{pursue: {mode: lead, overtake: 10 m/s}}",
+        "{winner_takes_all: [{shoot_gun: {vote: 60, overtake: 10 m/s}}, {lead_pursuit: "
+        "{overtake: 10 m/s}}]}"}) {
+    Flown f(tree);
+    f.start(4000, 0, 210);
+    const double level = f.kinematics.position.z;
+    int bears = 0, nearest = 1e6;
+    for (int i = 0; i < 150; ++i) {
+      const double turned = rate * f.time + 500 / radius;
+      const Vec3 place{radius * std::sin(turned), radius * (1 - std::cos(turned)), level};
+      f.desk.tracks = {};
+      f.desk.own = f.kinematics;
+      f.desk.time = f.time;
+      model::Track& track = f.desk.track(place - f.kinematics.position);
+      track.velocity = his_speed * Vec3{std::cos(turned), std::sin(turned), 0};
+      track.id = f.desk.agent.target = TrackId{1};
+      const State s = f.desk.state();
+      nearest = std::min(nearest, static_cast<int>(s.seen[0].range));
+      bears += i >= 50 && s.gun_sight(s.seen[0])->off_nose <= library().guns[0].aim_cone;
+      f.fly_for(0.1);
+    }
+    EXPECT_GT(bears, 90) << tree;
+    EXPECT_GT(nearest, 150) << tree;
+  }
+}
+
 TEST(Egress, LandsEvenIfHomeIsSmallerThanItsTurn) {
   Flown f("{egress: {arrival: 100 m}}");
   f.start(3000, 0.4, 250, library().flights[0].home->x, 20 * kNmi);

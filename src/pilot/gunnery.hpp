@@ -9,6 +9,11 @@ namespace eyrie::pilot {
 /// Whether the target is within reach of the gun and in its cone of aim, and there are rounds.
 [[nodiscard]] bool in_gun(const State& state);
 
+/// Where to fly (unit vector, north-east-down) so that the nose comes to rest on the sight of a
+/// target that moves across: before it by as much as it moves, at the rate of the line of sight and
+/// no faster than the nose can follow, while the autopilot closes an error (Autopilot::aim_time).
+[[nodiscard]] Vec3 ahead_of_sight(const State& state, const Seen& target, const Sight& sight);
+
 /// Why no gun is fired at the target, null if it may be: it has to be known as hostile and seen
 /// within `max_age` (s), for where it was, another one may be now.
 [[nodiscard]] const char* why_no_gun(const State& state, const Seen* target, double max_age);
@@ -39,6 +44,10 @@ bool any_friend(const State& s, const Holds& holds) {
                         to_ned(s.own, velocity_of(mate))});
   });
 }
+
+/// Whether a friendly track is where a mate says he is, who knows it better than an eye that
+/// guesses his range.
+[[nodiscard]] bool is_a_mate(const State& state, const Seen& seen);
 
 /// Whether a friend is believed to be in it: a mate by datalink or a track identified as friendly.
 [[nodiscard]] bool friend_in_line(const State& state, const LineOfFire& line);

@@ -35,6 +35,25 @@ TEST(GunSight, PointsAtATargetThatFliesAheadButForTheDropOfTheRounds) {
   EXPECT_LT(elevation_of(sight->aim), 0.01);
 }
 
+TEST(GunSight, IsLedByItsWayWhileTheAutopilotClosesAnError) {
+  Desk desk;
+  desk.track({800, 0, 0}, 6 * kDegree, 250);
+  const auto led = [&] {
+    const State s = desk.state();
+    const Sight& sight = *s.gun_sight(s.seen[0]);
+    return angle_between(bearing_of(sight.aim), bearing_of(ahead_of_sight(s, s.seen[0], sight)));
+  };
+  const double aim_time = desk.state().airframe().autopilot.aim_time;
+  const double across = 250 * std::sin(6 * kDegree);
+  EXPECT_NEAR(led(), aim_time * across / 800, 1e-4);
+  // who crosses faster than the nose can follow is led by what the wing gives
+  desk.tracks.tracks[0].velocity = {0, -400, 0};
+  EXPECT_NEAR(led(), -aim_time * 7 * model::kGravity / 250, 1e-3);
+  // and who stands in the line of sight not at all
+  desk.tracks.tracks[0].velocity = desk.own.velocity;
+  EXPECT_NEAR(led(), 0, 1e-12);
+}
+
 TEST(FriendInLine, SeesMatesAndFriendlyTracks) {
   Desk desk;
   const auto in_line = [&](double range) {

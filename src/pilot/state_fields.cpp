@@ -19,16 +19,11 @@ double right_of_nose(const State& s, double bearing) {
   return angle_between(s.own.heading, bearing);
 }
 
-/// A direction (NED) in the own body axes.
-struct InBody {
-  double azimuth = 0;    ///< rad in (-pi, pi], from the nose to the right wing
-  double elevation = 0;  ///< rad, from the plane of the wings to the canopy
-};
-InBody in_body(const State& s, const Vec3& ned) {
+/// A direction (NED) in the own body axes: to the nose, the right wing and down.
+Vec3 in_body(const State& s, const Vec3& ned) {
   const model::Axes axes = model::body_axes(s.own);
   const Vec3 local = from_ned(s.own, ned);
-  const Vec3 body{dot(local, axes.forward), dot(local, axes.right), dot(local, axes.down)};
-  return {bearing_of(body), elevation_of(body)};
+  return {dot(local, axes.forward), dot(local, axes.right), dot(local, axes.down)};
 }
 
 /// rad/s, at which the line of sight to a track turns: the part of the velocity across it over the
@@ -228,9 +223,9 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     angle("target_azimuth",
           "the chosen target off the nose in the plane of the wings, in (-180°, 180°], positive "
           "right",
-          of_target([](const State& s, const Seen& t) { return in_body(s, t.ned).azimuth; })),
+          of_target([](const State& s, const Seen& t) { return bearing_of(in_body(s, t.ned)); })),
     angle("target_elevation", "the chosen target out of the plane of the wings, positive up",
-          of_target([](const State& s, const Seen& t) { return in_body(s, t.ned).elevation; })),
+          of_target([](const State& s, const Seen& t) { return elevation_of(in_body(s, t.ned)); })),
     number("drift_right", "rad/s", "at which the line of sight to the chosen target turns right",
            of_target([](const State& s, const Seen& t) { return drift(s, t).right; })),
     number("drift_up", "rad/s", "at which it turns up",
@@ -261,9 +256,9 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     flag("supporting", "an own missile on its way needs the radar",
          [](const State& s) -> double { return support_needed(s); }),
     angle("gun_azimuth", "where to aim the gun at the chosen target, as target_azimuth",
-          of_sight([](const State& s, const Sight& g) { return in_body(s, g.aim).azimuth; })),
+          of_sight([](const State& s, const Sight& g) { return bearing_of(in_body(s, g.aim)); })),
     angle("gun_elevation", "likewise as target_elevation",
-          of_sight([](const State& s, const Sight& g) { return in_body(s, g.aim).elevation; })),
+          of_sight([](const State& s, const Sight& g) { return elevation_of(in_body(s, g.aim)); })),
     number("over_gun_range", "",
            "range of the chosen target over the farthest that the gun is good for",
            of_sight([](const State& s, const Sight& g) {

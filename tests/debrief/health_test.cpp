@@ -90,7 +90,7 @@ TEST(Health, SeesThatTrueTracksAreFlownMoreSteadily) {
     return static_cast<double>(all.reversals) / all.pursued;
   };
   EXPECT_LT(
-      1.3 * steadiness({"blue.flights.eagle.privileged=true", "red.flights.bogey.privileged=true"}),
+      1.1 * steadiness({"blue.flights.eagle.privileged=true", "red.flights.bogey.privileged=true"}),
       steadiness({}));
 }
 

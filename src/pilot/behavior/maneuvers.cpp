@@ -12,8 +12,10 @@ Status LeadPursuit::tick(const Tick& t, Proposal& out) const {
     return fails(t, "no target");
   if (target->range <= gun_range_)
     if (const auto& sight = s.gun_sight(*target)) {
-      const bool cashes_in = sight->off_nose < cash_in_;
-      return fly(s, target, sight->aim, cashes_in ? load_factor_ : load(s, load_factor_), out);
+      const double pull = sight->off_nose < cash_in_ ? load_factor_ : load(s, load_factor_);
+      const Status status = fly(s, target, ahead_of_sight(s, *target, *sight), pull, out);
+      out.action.speed = held_back(s, *target, overtake_, speed_);
+      return status;
     }
   const Vec3 through_air = s.velocity_of(*target) - s.wind();
   const auto time = time_to_meet(target->ned, through_air, s.own.speed);
@@ -125,7 +127,7 @@ Status Reacquire::tick(const Tick& t, Proposal& out) const {
   if (const Seen* target = s.target()) {
     m = target->range > within_
             ? LostMemory{}
-            : LostMemory{s.time, position_at(*target->track, s.time), target->track->velocity};
+            : LostMemory{target->track->time, target->track->position, target->track->velocity};
     return fails(t, "the target is known");
   }
   if (m.time == 0 || ubf::passed(s.time, m.time, memory_)) {
@@ -169,6 +171,7 @@ Status Extend::tick(const Tick& t, Proposal& out) const {
 
 Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
+  CollisionMemory& m = memory(t);
   double soonest = warning_, nearest2 = miss_ * miss_;
   std::optional<Vec3> pass;    // from here to the other at the closest approach
   std::optional<Vec3> beside;  // to who is too near and does not come nearer
@@ -196,7 +199,8 @@ Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
     return range2 <= reach * reach;
   };
   for (const Seen& seen : s.tracks_seen())
-    if (seen.track->confirmed && in_reach(seen.range * seen.range, seen.track->velocity))
+    if (seen.track->confirmed && in_reach(seen.range * seen.range, seen.track->velocity) &&
+        !is_a_mate(s, seen))
       look(seen.ned, s.velocity_of(seen));
   any_mate(s.datalink, [&](const model::Mate& mate) {
     const Vec3 apart = position_at(mate, s.time) - s.own.position;
@@ -206,14 +210,18 @@ Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
   });
   if (!pass)
     pass = beside;
-  if (!pass)
+  if (pass) {
+    // away from where he will be, as seen along the own path; to the right if that says nothing
+    const Vec3 nose = nose_of(s.own);
+    const Vec3 aside = *pass - dot(*pass, nose) * nose;
+    const auto [sine, cosine] = math::sin_cos(s.own.heading + kPi / 2);
+    m = {s.time,
+         nose + (norm(aside) > 0.1 * miss_ ? -normalized(aside, {}) : Vec3{cosine, sine, 0})};
+  } else if (m.time == 0 || ubf::passed(s.time, m.time, recovery_)) {
+    m = {};
     return fails(t, "nobody comes too near");
-  // away from where he will be, as seen along the own path; to the right if that says nothing
-  const Vec3 nose = nose_of(s.own);
-  const Vec3 aside = *pass - dot(*pass, nose) * nose;
-  const auto [sine, cosine] = math::sin_cos(s.own.heading + kPi / 2);
-  const Vec3 away = norm(aside) > 0.1 * miss_ ? -normalized(aside, {}) : Vec3{cosine, sine, 0};
-  aim(s, nose + away, {load_factor_, load_factor_, s.own.speed, floor_}, out.action);
+  }
+  aim(s, m.away, {load_factor_, load_factor_, s.own.speed, floor_}, out.action);
   out.vote = vote_;
   return Status::running;
 }

@@ -20,6 +20,9 @@ class LeadPursuit final : public Maneuver {
     return joined(Maneuver::params(),
                   Lines{param("gun_range", &L::gun_range_, "m", range(0, 10e3),
                               "nearer than this it aims the gun"),
+                        param("overtake", &L::overtake_, "m/s", range(0, 500),
+                              "nearer than gun_range, at most so much faster than the target; "
+                              "null: never slows"),
                         param("cash_in", &L::cash_in_, "rad", range(0, 85, "deg"),
                               "nearer to the aim it pulls all that the wing gives")});
   }
@@ -27,6 +30,7 @@ class LeadPursuit final : public Maneuver {
 
  private:
   double gun_range_ = 2000;
+  std::optional<double> overtake_;
   double cash_in_ = si(25, "deg");
 };
 
@@ -243,10 +247,16 @@ class Extend final : public Maneuver {
   double dive_ = si(10, "deg");
 };
 
+struct CollisionMemory {
+  double time = 0;  ///< s, when somebody last came too near; 0: nobody has
+  Vec3 away{};      ///< north-east-down, where it turned to then
+};
+
 /// Keeps clear of everybody, friend or foe: when the paths will pass nearer than `miss` within
 /// `warning` seconds, turns away from where the other will be; both to the right if he comes
-/// straight on. Fails otherwise.
-class AvoidCollision final : public Behavior {
+/// straight on. Goes on for `recovery`, or it would turn away and back with every look. Fails
+/// otherwise.
+class AvoidCollision final : public ubf::WithMemory<Behavior, CollisionMemory> {
  public:
   static constexpr std::string_view type_name = "avoid_collision";
   static constexpr std::string_view help = "keeps clear of other aircraft";
@@ -255,6 +265,8 @@ class AvoidCollision final : public Behavior {
     return Lines{param("vote", &A::vote_, range(0, 1000), "how strongly"),
                  param("miss", &A::miss_, "m", range(10, 5e3), "smallest distance to pass at"),
                  param("warning", &A::warning_, "s", range(0.1, 60), "how far ahead it looks"),
+                 param("recovery", &A::recovery_, "s", range(0, 60),
+                       "goes on for so long after nobody comes too near"),
                  param("load_factor", &A::load_factor_, range(1, 12), "g, the most it turns with"),
                  param("floor", &A::floor_, "m", range(0, 25e3), "dives no lower")};
   }
@@ -264,6 +276,7 @@ class AvoidCollision final : public Behavior {
   float vote_ = 90;
   double miss_ = si(500, "ft");
   double warning_ = 4;
+  double recovery_ = 1.5;
   double load_factor_ = 6;
   double floor_ = si(1500, "ft");
 };

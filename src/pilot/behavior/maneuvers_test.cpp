@@ -184,6 +184,18 @@ TEST(Reacquire, TurnsToWhereALostTargetMustBe) {
   EXPECT_EQ(pilot.decide(desk).status, kFailure) << "long ago";
 }
 
+TEST(Reacquire, CountsFromWhenTheTargetWasSensedLast) {
+  Desk desk;
+  desk.track({0, 3000, 0}, 0, 200);
+  Pilot pilot("{reacquire: {memory: 20 s, extrapolated: 5 s}}");
+  for (int second = 0; second < 12; ++second, desk.time += 1)  // nobody tells of him any more
+    EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.tracks.count = 0;
+  EXPECT_NEAR(heading_of(pilot.decide(desk)), std::atan2(3000, 1000), 1e-9);
+  desk.time += 8.5;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure) << "20 s ago";
+}
+
 TEST(Jink, LeavesThePlaneOfAGunBehindOneWayAndTheOther) {
   Desk desk;
   desk.track({-600, 0, 0}, 0, 250);  // right behind, his nose here
@@ -224,11 +236,43 @@ TEST(AvoidCollision, TurnsAwayFromWhereTheOtherWillPass) {
   EXPECT_EQ(decide("{avoid_collision: {warning: 4 s}}", desk).status, kFailure) << "6 s away";
 }
 
+TEST(AvoidCollision, TurnsBackOnlyWhenNobodyHasComeTooNearForAWhile) {
+  Desk desk;
+  desk.track({1000, 30, 0}, kPi, 250);
+  Pilot pilot("{avoid_collision: {miss: 150 m, recovery: 1.5 s}}");
+  const double away = *pilot.decide(desk).action().heading;
+  desk.tracks = {};
+  desk.own.heading = 0.2;  // it has begun to turn
+  for (const double later : {0.1, 0.7, 1.4}) {
+    desk.time = 100 + later;
+    const Decided d = pilot.decide(desk);
+    ASSERT_EQ(d.status, kRunning) << later;
+    EXPECT_EQ(*d.action().heading, away) << later;
+  }
+  desk.time = 101.6;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.time = 100.5;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure) << "it is over, not asleep";
+}
+
 TEST(AvoidCollision, KnowsTheMatesByDatalink) {
   Desk desk;
   desk.in_flight(2, 1);
   desk.datalink.members[1].position = desk.own.position + Vec3{0, 60, 0};
   EXPECT_EQ(decide("{avoid_collision: {miss: 100 m}}", desk).status, kRunning);
+}
+
+TEST(AvoidCollision, BelievesAMateMoreThanAGlanceAtHim) {
+  Desk desk;
+  desk.in_flight(2, 1);
+  desk.datalink.members[1].position = desk.own.position + Vec3{0, 1900, 0};
+  // the eye has him at two thirds of the range and coming
+  model::Track& seen = desk.track({0, 1260, 0}, -kPi / 2, 320, model::Identity::friendly);
+  seen.velocity.x = 250;
+  seen.position_sigma = 250;
+  EXPECT_EQ(decide("{avoid_collision: {warning: 6 s, miss: 900 m}}", desk).status, kFailure);
+  desk.lose(2);
+  EXPECT_EQ(decide("{avoid_collision: {warning: 6 s, miss: 900 m}}", desk).status, kRunning);
 }
 
 TEST(AvoidCollision, SeesWhoComesBehindAMateWhoIsNear) {

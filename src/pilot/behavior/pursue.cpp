@@ -41,10 +41,7 @@ double Pursue::altitude_of_choice(const State& s, const Seen& target) const {
 }
 
 double Pursue::speed_of_choice(const State& s, const Seen& target) const {
-  if (!overtake_ || target.range > level_range_)
-    return speed_;
-  const double his = norm(s.velocity_of(target) - s.wind());
-  return std::clamp(his + *overtake_, speed_ / 2, speed_);
+  return target.range > level_range_ ? speed_ : held_back(s, target, overtake_, speed_);
 }
 
 /// m, to go up (or down, from below) to stay clear of a mate who has the right of way.
@@ -134,7 +131,8 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
   action.heading = steadied(s, *target, heading_of_choice(s, *target));
   if (mode_ == Pursuit::lead && target->range <= gun_range_ && clear == 0)
     if (const auto& sight = s.gun_sight(*target))
-      aim(s, sight->aim, {*action.load_factor, load_factor_, *action.speed, floor_}, action);
+      aim(s, ahead_of_sight(s, *target, *sight),
+          {*action.load_factor, load_factor_, *action.speed, floor_}, action);
   return Status::running;
 }
 

@@ -110,7 +110,7 @@ TEST(Pursue, AimsTheGunWhenItIsNear) {
   const auto sight = s.gun_sight(s.seen[0]);
   ASSERT_TRUE(sight.has_value());
   const Decided d = decide("{pursue: {mode: lead, gun_range: 1 km}}", desk);
-  EXPECT_NEAR(*d.action().heading, bearing_of(sight->aim), 1e-12);
+  EXPECT_NEAR(*d.action().heading, bearing_of(ahead_of_sight(s, s.seen[0], *sight)), 1e-12);
   EXPECT_GT(*d.action().altitude, 8000);
   // without a gun in reach it is an intercept
   EXPECT_EQ(decide("{pursue: {mode: lead, gun_range: 500 m}}", desk).action().heading,

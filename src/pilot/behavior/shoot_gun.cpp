@@ -40,7 +40,8 @@ Status ShootGun::tick(const Tick& t, Proposal& out) const {
     return holds_fire("a friend is in the line of fire");
   out.action.target = target->id();
   out.action.trigger = trigger(s.time, m);
-  aim(s, sight->aim, {load_factor_, load_factor_, speed_, floor_}, out.action);
+  aim(s, ahead_of_sight(s, *target, *sight),
+      {load_factor_, load_factor_, held_back(s, *target, overtake_, speed_), floor_}, out.action);
   out.vote = vote_;
   return Status::running;
 }

@@ -36,6 +36,8 @@ class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
         param("clear_beyond", &G::clear_beyond_, "m", range(0, 10e3),
               "nor so far behind the target"),
         param("speed", &G::speed_, "m/s", range(50, 1000), "true airspeed to go for"),
+        param("overtake", &G::overtake_, "m/s", range(0, 500),
+              "at most so much faster than the target; null: never slows"),
         param("load_factor", &G::load_factor_, range(1, 12), "g, the most it turns with"),
         param("floor", &G::floor_, "m", range(0, 25e3), "aims no lower")};
   }
@@ -53,6 +55,7 @@ class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
   double clear_cone_ = si(3, "deg");
   double clear_beyond_ = 1000;
   double speed_ = si(450, "kt");
+  std::optional<double> overtake_;
   double load_factor_ = 8;
   double floor_ = si(1000, "ft");
 };
