@@ -382,7 +382,7 @@ describe('two runs on one page', { skip: kNoProgram }, () => {
     // of a quantity both, and how far they are apart
     await two.page.evaluate(() => {
       const { store } = window.eyrie!;
-      store.set({ time: 560, layers: { ...store.get().layers, labels: true } });
+      store.set({ time: 530, layers: { ...store.get().layers, labels: true } });
     });
     assert.ok(Number.isFinite(Number(await two.page.$eval('[data-apart]', (e) => (e as HTMLElement).dataset['apart']))));
     await shoot(two.page, 'two-runs');
