@@ -232,12 +232,10 @@ int query(const QueryOptions& options) {
     refuse("eyrie: query needs SQL, or --decisions");
   check_results(options.folder);
   if (!options.decisions.empty()) {
-    const Parsed window = parse_quantity(options.decisions, Dimension::time);
-    if (!window || window.value <= 0)
-      refuse("--decisions: {}", window ? "must be more than 0" : window.error);
+    const double window = period_named("--decisions", options.decisions);
     listen_for_interrupts();
     std::optional<Progress> progress;
-    add_last_decisions(options.folder, window.value, options.workers ? options.workers : cores(),
+    add_last_decisions(options.folder, window, options.workers ? options.workers : cores(),
                        options.plugins, telling(progress));
     if (interrupted()) {
       complain("eyrie: interrupted; the same command goes on, and then asks\n");

@@ -50,12 +50,8 @@ tables::Selection selection_of(const ExportOptions& options, const debrief::Reco
   selection.changes_only = options.changes_only;
   if (!options.player.empty())
     selection.who = player_named(recorded.scenario->roster, options.player);
-  if (!options.every.empty()) {
-    const Parsed every = parse_quantity(options.every, Dimension::time);
-    if (!every || every.value <= 0)
-      refuse("--every: {}", every ? "must be more than 0" : every.error);
-    selection.every = every.value;
-  }
+  if (!options.every.empty())
+    selection.every = period_named("--every", options.every);
   return selection;
 }
 

@@ -268,6 +268,13 @@ PlayerId decider_named(const scenario::Roster& roster, const std::string& name) 
   return who;
 }
 
+double period_named(std::string_view option, const std::string& text) {
+  const Parsed period = parse_quantity(text, Dimension::time);
+  if (!period || period.value <= 0)
+    refuse("{}: {}", option, period ? "must be more than 0" : period.error);
+  return period.value;
+}
+
 double time_named(std::string_view option, const std::string& text) {
   const auto colon = text.find(':');
   const auto seconds = plain(std::string_view(text).substr(colon == text.npos ? 0 : colon + 1));

@@ -77,6 +77,8 @@ void demand_other_file(const std::string& out, const std::vector<std::string>& s
 [[nodiscard]] PlayerId decider_named(const scenario::Roster& roster, const std::string& name);
 /// s: "312.4", "5 min", or "5:12.4" as the story says it. Throws Mistake, which names the option.
 [[nodiscard]] double time_named(std::string_view option, const std::string& text);
+/// s, of a text such as "1 s", more than 0.
+[[nodiscard]] double period_named(std::string_view option, const std::string& text);
 /// s: the first step whose clock text is not before that time. Printed times are rounded to a
 /// tenth, so this is done for whole tenths; any other time is exact.
 [[nodiscard]] double first_shown(const debrief::Recorded& recorded, double time);

@@ -63,6 +63,11 @@ double steepest_above(const State& s, double floor, double load_factor) {
   return math::acos(1 - std::clamp((s.own.altitude - sunk - floor) / radius, 0.0, 1.0));
 }
 
+double fastest_turn(const State& s) {
+  return static_cast<double>(s.flying.energy.available) * model::kGravity /
+         std::max(s.own.speed, 1.0);
+}
+
 double held_back(const State& s, const Seen& target, std::optional<double> overtake, double speed) {
   if (!overtake)
     return speed;

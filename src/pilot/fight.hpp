@@ -36,6 +36,9 @@ struct Angles {
 /// what the wing gives of them, still ends above `floor` (m).
 [[nodiscard]] double steepest_above(const State& s, double floor, double load_factor);
 
+/// rad/s, at which the nose turns with all that the wing gives now.
+[[nodiscard]] double fastest_turn(const State& s);
+
 /// m/s true airspeed: `speed`, but at most `overtake` faster than the target, if that is given, and
 /// no slower than half of it.
 [[nodiscard]] double held_back(const State& s, const Seen& target, std::optional<double> overtake,

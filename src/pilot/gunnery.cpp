@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/gunnery.hpp"
 
+#include "pilot/fight.hpp"
+
 namespace eyrie::pilot {
 
 bool in_gun(const State& s) {
@@ -16,9 +18,7 @@ bool in_gun(const State& s) {
 Vec3 ahead_of_sight(const State& s, const Seen& target, const Sight& sight) {
   const Vec3 relative = s.velocity_of(target) - s.velocity_ned;
   const Vec3 rate = cross(target.ned, relative) / std::max(norm2(target.ned), 1.0);  // rad/s
-  const double most =
-      static_cast<double>(s.flying.energy.available) * model::kGravity / std::max(s.own.speed, 1.0);
-  const double followed = std::min(norm(rate), most);
+  const double followed = std::min(norm(rate), fastest_turn(s));
   const auto [sine, cosine] = math::sin_cos(s.airframe().autopilot.aim_time * followed);
   const Vec3 across = normalized(cross(rate, sight.aim), {});
   return cosine * sight.aim + sine * across;

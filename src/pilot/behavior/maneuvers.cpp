@@ -37,9 +37,7 @@ Status Snapshot::tick(const Tick& t, Proposal& out) const {
   const Vec3 nose = nose_of(s.own);
   const auto across = [&](const Vec3& v) { return v - dot(v, nose) * nose; };
   const Vec3 beside = across(point), moves = across(relative);
-  const double turn =
-      static_cast<double>(s.flying.energy.available) * model::kGravity / s.own.speed;
-  if (norm(moves) <= turn * norm(point))
+  if (norm(moves) <= fastest_turn(s) * norm(point))
     return fails(t, "the nose can follow the target");
   const double time = -dot(beside, moves) / norm2(moves);
   const double cone = s.library.guns[*s.type.index.gun].aim_cone;
