@@ -14,13 +14,6 @@ namespace eyrie::debrief {
 using team::Answer, team::Changed, team::Decision, team::Perceived, team::Rival, team::Value;
 using team::parting, team::Won;
 
-/// "voted 40 against 10", or how else a field was won.
-[[nodiscard]] std::string reason(const Won& won);
-/// What a node has to say of itself: "failed: no target", "not asked", "running, 40".
-[[nodiscard]] std::string words(const Answer& answer);
-/// Why somebody else leads now: what became of who led before (an index into now.nodes).
-[[nodiscard]] std::string why_not(const Decision& now, ubf::NodeIndex before);
-
 /// From the worlds before and after a step to the decision that an agent made in it. Nothing if it
 /// had no decision due in the step, has no tree, or left the run in it.
 [[nodiscard]] std::optional<Decision> explain(const scenario::Scenario& scenario,

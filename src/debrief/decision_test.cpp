@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "debrief/why.hpp"
+
 namespace eyrie::debrief {
 namespace {
 
@@ -86,6 +88,22 @@ TEST(Decision, ComparesTheVotesThatWereGivenInThePlaceOfTheirOwn) {
   d.nodes[2].given = 80.0F;
   d.nodes[3].given = 1.5F;
   EXPECT_EQ(why_not(d, 3), "navigate voted 1.5 against 80");
+}
+
+TEST(Decision, SaysWhatDecidedWhereVotesDidNot) {
+  Decision d = in_two_phases(false);
+  d.nodes[1].decided_by = "chance";
+  EXPECT_EQ(why_not(d, 3), "navigate voted 10 against 40, and chance decided");
+  for (ubf::NodeIndex node = 0; node < 4; ++node) {
+    d.nodes[node].action = {{.name = "speed", .supplier = std::max<ubf::NodeIndex>(2, node)}};
+    d.nodes[node].is_leaf = node > 1;
+  }
+  const auto contested = [&] { return team::contest(d.nodes).at(0); };
+  EXPECT_EQ(reason(contested()), "40 against 10, and chance decided");
+  d.nodes[1].decided_by.clear();
+  EXPECT_EQ(reason(contested()), "voted 40 against 10");
+  d.nodes[3].vote = 0;
+  EXPECT_EQ(reason(contested()), "nobody else's came up to it") << "who does not vote abstains";
 }
 
 TEST(Decision, FindsWhereTwoWaysPart) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.hpp"
+#include "debrief/why.hpp"
 #include "record/json_text.hpp"
 #include "record/names.hpp"
 

@@ -78,7 +78,8 @@ class Platform {
              {"parent", answer.parent == ubf::kNone ? -1 : static_cast<int>(answer.parent)},
              {"depth", answer.depth},
              {"params", std::move(params)},
-             {"remembers", node.remembers()}});
+             {"remembers", node.remembers()},
+             {"decided_by", answer.decided_by}});
         if (const auto* sequencer = dynamic_cast<const ubf::Sequencer<State, Action>*>(&node))
           for (const auto& [from, to] : sequencer->rules())  // of its last children, in their order
             nodes.back()["rules"].push_back({from == ubf::kNone ? -1 : static_cast<int>(from), to});

@@ -22,6 +22,7 @@ struct Answer {
   std::string label, type, path;  ///< path: "root/bvr/pursue"
   Location where;                 ///< of its type in the file
   std::string document;  ///< "trees.bvr.per_field.pursue", as --set and replace have it; may be ""
+  std::string decided_by;  ///< what decides between its children; empty: their votes
   std::uint16_t depth = 0, parent = ubf::kNone;
   bool asked = false;
   bool is_leaf = true;
@@ -43,7 +44,9 @@ struct Rival {
   /// The votes that stood against each other where both were compared: of the branch with the
   /// winner, and of the branch with the rival.
   float against = 0, vote = 0;
-  bool came_up = true;   ///< its branch brought the field up to there, and did not lose it below
+  std::string decided_by;  ///< what decided there; empty: these votes
+  /// Its branch brought the field up to there, neither lost it below nor abstained.
+  bool came_up = true;
   bool blended = false;  ///< the winner made its value of this one and others
 };
 

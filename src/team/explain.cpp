@@ -37,6 +37,7 @@ std::vector<Answer> unanswered(const ubf::AnyTree& tree) {
                   .type = std::string(node.type()),
                   .path = tree.path(index),
                   .where = node.where(),
+                  .decided_by = std::string(node.decided_by()),
                   .depth = static_cast<std::uint16_t>(tree.depth(index)),
                   .parent = tree.parent(index),
                   .is_leaf = node.children().empty()};
@@ -56,6 +57,12 @@ std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nod
     deeper = nodes[deeper].parent;
   }
   return at;
+}
+
+const std::string& decided_by(const std::vector<Answer>& nodes,
+                              std::pair<ubf::NodeIndex, ubf::NodeIndex> parted) {
+  const auto [a, b] = parted;
+  return nodes[nodes[nodes[a].depth > nodes[b].depth ? a : b].parent].decided_by;
 }
 
 namespace {
@@ -107,11 +114,18 @@ std::vector<Won> contest(const std::vector<Answer>& nodes) {
       if (node == winner || !nodes[n].is_leaf || !proposed)
         continue;
       auto [its, mine] = parting(nodes, node, winner);
+      const std::string& by = decided_by(nodes, {its, mine});
       while (!has_it(mine))
         mine = nodes[mine].parent;  // up to who holds it; the root has it
-      won.rivals.push_back({node, *proposed, nodes[mine].counted(), nodes[its].counted(),
-                            proposal_of(nodes[its], value.name) != nullptr,
-                            won.blended && is_part_of(nodes, node, winner, value.name)});
+      const float vote = nodes[its].counted(), against = nodes[mine].counted();
+      won.rivals.push_back(
+          {.node = node,
+           .value = *proposed,
+           .against = against,
+           .vote = vote,
+           .decided_by = by,
+           .came_up = proposal_of(nodes[its], value.name) && (vote > 0 || against == 0),
+           .blended = won.blended && is_part_of(nodes, node, winner, value.name)});
     }
     std::ranges::stable_sort(won.rivals, std::greater<>(), [](const Rival& r) {
       return std::tuple(r.blended, r.came_up, r.vote);

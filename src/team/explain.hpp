@@ -13,6 +13,9 @@ namespace eyrie::team {
 /// node that has both below it. Of two of which one is above the other, the upper one is itself.
 [[nodiscard]] std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
                                                                 ubf::NodeIndex a, ubf::NodeIndex b);
+/// What decided between the branches in which two nodes part; empty: their votes.
+[[nodiscard]] const std::string& decided_by(const std::vector<Answer>& nodes,
+                                            std::pair<ubf::NodeIndex, ubf::NodeIndex> parted);
 /// The first node above `node`, up to `top`, that handed on what another leaf proposed; kNone: none
 /// did, or it proposed nothing.
 [[nodiscard]] ubf::NodeIndex lost_in(const std::vector<Answer>& nodes, ubf::NodeIndex node,

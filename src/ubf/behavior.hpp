@@ -222,6 +222,8 @@ template <class B>
     type.help = B::help;
   if constexpr (requires { B::text_key; })
     type.text_key = B::text_key;
+  if constexpr (requires { B::decided_by; })
+    type.decided_by = B::decided_by;
   if constexpr (requires { B::child_keys; }) {
     type.grammar = Grammar::own;
     type.child_keys = B::child_keys;

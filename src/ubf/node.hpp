@@ -38,6 +38,8 @@ struct NodeType {
   std::span<const std::string_view> child_keys{};  ///< the slots, or the keys of its own
   /// The parameter whose value may stand alone, as in `holds: range < 10 nmi`; empty for none.
   std::string_view text_key;
+  /// What decides between its children in the place of their votes, as "rank"; empty: votes do.
+  std::string_view decided_by;
   const Description* parameters = nullptr;
   void* (*object)(AnyNode&) = nullptr;  ///< what `parameters` describes
   /// Of this type; null if code alone can make one.
@@ -90,6 +92,7 @@ class AnyNode {
     return type_->parameters && type_->parameters->find("vote");
   }
   [[nodiscard]] Kind node_kind() const noexcept { return type_->kind; }
+  [[nodiscard]] std::string_view decided_by() const noexcept { return type_->decided_by; }
   /// Its parameters that have a value.
   [[nodiscard]] std::vector<ParamValue> values() const;
   /// The value of its parameter `vote`, if it has one.

@@ -50,6 +50,16 @@ test('votes that an arbiter gave count in the place of its children\'s own', () 
   assert.equal(why_not(run.trees[0]!, run.shapes[0]!, 1), 'pursue voted 1.5 against 80');
 });
 
+test('what decided in the place of votes is told, and who abstains does not come up', () => {
+  const fields = (type: string, navigate_votes: number) => {
+    const run = run_of(node('root', type, [leaf('pursue'), leaf('navigate')]), [{ pursue: { vote: 40, heading: 1 }, navigate: { vote: navigate_votes, heading: 2 } }]);
+    return [contest(run, 0, 0)[0]!.reason, why_not(run.trees[0]!, run.shapes[0]!, find(run, 'navigate'))];
+  };
+  assert.deepEqual(fields('winner_takes_all', 10), ['voted 40 against 10', 'navigate voted 10 against 40']);
+  assert.deepEqual(fields('weighted_random', 10), ['40 against 10, and chance decided', 'navigate voted 10 against 40, and chance decided']);
+  assert.equal(fields('winner_takes_all', 0)[0], "nobody else's came up to it");
+});
+
 test('a blend is won by the arbiter that made it', () => {
   const run = run_of(node('mix', 'fusion', [leaf('pursue'), leaf('follow'), leaf('navigate')]),
     [{ pursue: { vote: 40, speed: 250 }, follow: { vote: 20, speed: 200 }, navigate: { vote: 10, heading: 1 } }]);
@@ -86,7 +96,7 @@ test('of who did not come up it is told where he lost', () => {
 });
 
 test('reasons have words for ties and for places', () => {
-  const won = (vote: number, against: number, came_up = true) => reason({ held: false, rivals: [{ node: 1, value: 0, vote, against, came_up, blended: false }] });
+  const won = (vote: number, against: number, came_up = true) => reason({ held: false, rivals: [{ node: 1, value: 0, vote, against, decided_by: '', came_up, blended: false }] });
   assert.equal(won(40, 40), 'voted 40 as the other did, and comes first');
   assert.equal(won(60, 40), '40 against 60, and votes did not decide');
   assert.equal(won(60, 40, false), "nobody else's came up to it");

@@ -54,7 +54,7 @@ export function tree_of(root: NodeSpec): Tree {
   const nodes: TreeNode[] = [];
   const add = ({ label, type, params, remembers, children }: NodeSpec, parent: number, depth: number, path: string): number => {
     const kind = children.length ? 'arbiter' : 'behavior';
-    const index = nodes.push({ label, type, params, remembers, kind, parent, depth, path, children: [] }) - 1;
+    const index = nodes.push({ label, type, params, remembers, kind, parent, depth, path, decided_by: type === 'weighted_random' ? 'chance' : '', children: [] }) - 1;
     nodes[index]!.children = children.map((child) => add(child, index, depth + 1, `${path}/${child.label}`));
     return index;
   };

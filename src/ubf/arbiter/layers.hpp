@@ -9,6 +9,7 @@ namespace eyrie::ubf {
 template <class State, class Action, NodeMemory Memory>
 class Ranked : public WithMemory<Arbiter<State, Action>, Memory> {
  public:
+  static constexpr std::string_view decided_by = "rank";
   using WithMemory<Arbiter<State, Action>, Memory>::WithMemory;
 
  protected:

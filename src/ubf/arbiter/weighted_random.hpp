@@ -26,6 +26,7 @@ class WeightedRandom final : public WithMemory<Arbiter<State, Action>, WeightedR
   static constexpr std::string_view type_name = "weighted_random";
   static constexpr std::string_view help =
       "a proposal drawn at random, the more likely the higher its vote";
+  static constexpr std::string_view decided_by = "chance";
   [[nodiscard]] static constexpr auto params() {
     return WeightedRandom::with_vote(param("keep", &WeightedRandom::keep, "s", range(0, 1e6),
                                            "how long a draw stands; 0: draws in every tick"));

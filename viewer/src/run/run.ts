@@ -120,6 +120,7 @@ export interface TreeNode {
   /** As a file would write them: "2 nmi"; limits and axes by field: "bounds.altitude.min", "grid.heading.from". */
   params: Record<string, string>;
   remembers: boolean;  // It keeps something from decision to decision.
+  decided_by: string;  // What decides between its children; empty: their votes.
   /** Of a sequencer, whose last children are the conditions of these: from which of its first children to which; -1: from any. */
   rules?: [from: number, to: number][];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** One decision in words and numbers, as `eyrie explain` tells it: src/debrief/decision.cpp. */
+/** One decision in words and numbers, as `eyrie explain` tells it: src/debrief/why.cpp. */
 import { source_of, type Run, type Shape, type Tree } from '../run/run.ts';
 import { general } from './text.ts';
 
@@ -11,7 +11,8 @@ export interface Rival {
    * the branch with the winner. */
   vote: number;
   against: number;
-  /** Whether its branch brought the field up to there, and did not lose it below. */
+  decided_by: string;  // What decided there; empty: these votes.
+  /** Whether its branch brought the field up to there, neither lost it below nor abstained. */
   came_up: boolean;
   /** The winner made its value of this one and others. */
   blended: boolean;
@@ -47,6 +48,11 @@ export function parting(tree: Tree, a: number, b: number): [number, number] {
   return at;
 }
 
+/** What decided between the branches in which two nodes part; empty: their votes. */
+function decided_by({ nodes }: Tree, a: number, b: number): string {
+  return nodes[nodes[nodes[a]!.depth > nodes[b]!.depth ? a : b]!.parent]!.decided_by;
+}
+
 /** Whether the field that an arbiter blended is made of what a leaf proposed. */
 function is_part(tree: Tree, shape: Shape, leaf: number, arbiter: number, field: number): boolean {
   return tree.nodes[arbiter]!.children.some((child) => {
@@ -54,6 +60,11 @@ function is_part(tree: Tree, shape: Shape, leaf: number, arbiter: number, field:
     return from >= 0 && shape.counted[child]! > 0
       && (from === leaf || (tree.nodes[from]!.children.length > 0 && is_part(tree, shape, leaf, from, field)));
   });
+}
+
+/** What decided in the place of votes. */
+function decided(by: string): string {
+  return by ? `, and ${by} decided` : ', and votes did not decide';
 }
 
 /** "voted 40 against 10", or how else a field was won. */
@@ -64,10 +75,8 @@ export function reason({ held, rivals }: Pick<Won, 'held' | 'rivals'>): string {
   if (next.blended) return `blended of ${rivals.filter((one) => one.blended).length}`;
   if (!next.came_up) return "nobody else's came up to it";
   const [mine, its] = [general(next.against), general(next.vote)];
-  if (next.against > next.vote) return `voted ${mine} against ${its}`;
-  return next.against === next.vote
-    ? `voted ${its} as the other did, and comes first`
-    : `${mine} against ${its}, and votes did not decide`;
+  if (next.decided_by || next.vote > next.against) return `${mine} against ${its}${decided(next.decided_by)}`;
+  return next.against > next.vote ? `voted ${mine} against ${its}` : `voted ${its} as the other did, and comes first`;
 }
 
 /** One decision of a player: who won each field of the action, and against whom. */
@@ -83,8 +92,13 @@ export function contest(run: Run, player: number, index: number): Won[] {
     const rivals = tree.nodes.flatMap(({ children }, node): Rival[] => {
       if (node === winner || children.length > 0 || !proposes(shape, node, field)) return [];
       let [its, mine] = parting(tree, node, winner);
+      const by = decided_by(tree, its, mine);
       while (!proposes(shape, mine, field) || shape.held[mine]![field] !== held) mine = tree.nodes[mine]!.parent; // up to who holds it; the root has it
-      return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]!, came_up: proposes(shape, its, field), blended: blended && is_part(tree, shape, node, winner, field) }];
+      const [vote, against] = [shape.counted[its]!, shape.counted[mine]!];
+      return [{
+        node, value: value(node, field), vote, against, decided_by: by,
+        came_up: proposes(shape, its, field) && (vote > 0 || against === 0), blended: blended && is_part(tree, shape, node, winner, field),
+      }];
     });
     rivals.sort((a, b) => +b.blended - +a.blended || +b.came_up - +a.came_up || b.vote - a.vote || a.node - b.node);
     return { field, value: value(source_of(shape, 0, field), field), winner, blended, held, reason: reason({ held, rivals }), rivals };
@@ -148,5 +162,6 @@ export function why_not(tree: Tree, shape: Shape, before: number): string {
   let lost = before;
   while (lost !== its && (lost === before || hands_on(lost))) lost = tree.nodes[lost]!.parent;
   const came_up = !shape.supplier[before]?.some((from) => from >= 0) || lost === before || hands_on(lost);
-  return `${then.label}${came_up ? '' : ` lost in ${tree.nodes[lost]!.label}, which`} voted ${general(voted)} against ${general(against)}${voted > against ? ', and votes did not decide' : voted === against ? ', and comes later' : ''}`;
+  const by = decided_by(tree, mine, its);
+  return `${then.label}${came_up ? '' : ` lost in ${tree.nodes[lost]!.label}, which`} voted ${general(voted)} against ${general(against)}${by || voted > against ? decided(by) : voted === against ? ', and comes later' : ''}`;
 }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "debrief/why.hpp"
+
+namespace eyrie::debrief {
+namespace {
+
+/// Where a sequencer went, and because of what: " for wvr: in_sight holds".
+std::string transition(const Decision& now, ubf::NodeIndex sequencer) {
+  std::string to, because;
+  for (const Answer& child : now.nodes) {
+    if (child.parent != sequencer || !child.asked)
+      continue;
+    if (child.vote > 0)
+      to = " for " + child.label;
+    else if (child.status == ubf::Status::success && child.action.empty())
+      because += fmt::format("{}{} holds", because.empty() ? ": " : ", ", child.label);
+  }
+  return to + because;
+}
+
+/// What decided in the place of votes.
+std::string decided(const std::string& by) {
+  return by.empty() ? ", and votes did not decide" : ", and " + by + " decided";
+}
+
+}  // namespace
+
+std::string reason(const Won& won) {
+  if (won.held)
+    return "held from an earlier decision";
+  if (won.rivals.empty())
+    return "nobody else asked for it";
+  const Rival& next = won.rivals.front();
+  if (next.blended)
+    return fmt::format("blended of {}", std::ranges::count_if(won.rivals, &Rival::blended));
+  if (!next.came_up)
+    return "nobody else's came up to it";
+  if (!next.decided_by.empty() || next.vote > next.against)
+    return fmt::format("{:g} against {:g}{}", next.against, next.vote, decided(next.decided_by));
+  return next.against > next.vote
+             ? fmt::format("voted {:g} against {:g}", next.against, next.vote)
+             : fmt::format("voted {:g} as the other did, and comes first", next.vote);
+}
+
+std::string words(const Answer& answer) {
+  if (!answer.asked)
+    return "not asked";
+  if (answer.status == ubf::Status::failure)
+    return answer.why.empty() ? "failed" : "failed: " + answer.why;
+  std::string text(ubf::to_text(answer.status));
+  if (answer.vote > 0)
+    text += fmt::format(", votes {:g}", answer.vote);
+  return answer.why.empty() ? text : fmt::format("{} ({})", text, answer.why);
+}
+
+std::string why_not(const Decision& now, ubf::NodeIndex before) {
+  if (before >= now.nodes.size())
+    return "nobody led";
+  const Answer& then = now.nodes[before];
+  if (!then.asked) {
+    ubf::NodeIndex left = before;  // the highest node that was not asked
+    while (now.nodes[left].parent != ubf::kNone && !now.nodes[now.nodes[left].parent].asked)
+      left = now.nodes[left].parent;
+    const ubf::NodeIndex parent = now.nodes[left].parent;
+    if (parent != ubf::kNone && now.nodes[parent].type == "sequencer")
+      return now.nodes[left].label + " was left" + transition(now, parent);
+    return fmt::format("{} was not asked", now.nodes[left].label);
+  }
+  if (then.status == ubf::Status::failure)
+    return fmt::format("{} {}", then.label, words(then));
+  if (now.leader == ubf::kNone ||
+      now.nodes[parting(now.nodes, now.leader, before).second].status == ubf::Status::failure) {
+    ubf::NodeIndex keeper = then.parent;  // the first that did not hand it on
+    while (keeper != ubf::kNone && !now.nodes[keeper].action.empty())
+      keeper = now.nodes[keeper].parent;
+    return keeper == ubf::kNone || then.action.empty()
+               ? fmt::format("{} proposed nothing", then.label)
+               : fmt::format("{} was kept back by {}", then.label, now.nodes[keeper].label);
+  }
+  const auto [mine, its] = parting(now.nodes, now.leader, before);
+  const ubf::NodeIndex lost = team::lost_in(now.nodes, before, its);
+  const float voted = now.nodes[its].counted(), against = now.nodes[mine].counted();
+  const std::string& by = team::decided_by(now.nodes, {mine, its});
+  return fmt::format(
+      "{}{} voted {:g} against {:g}{}", then.label,
+      lost == ubf::kNone ? "" : fmt::format(" lost in {}, which", now.nodes[lost].label), voted,
+      against,
+      !by.empty() || voted > against ? decided(by)
+      : voted == against             ? ", and comes later"
+                                     : "");
+}
+
+}  // namespace eyrie::debrief
