@@ -49,6 +49,21 @@ TEST(Decision, SaysWhyWhoLedBeforeDoesNotLeadNow) {
   EXPECT_EQ(why_not(in_two_phases(true), 2), "far was left for near: in_sight holds");
 }
 
+TEST(Decision, NamesTheConditionsBelowATransitionThatHasNoWordsOfItsOwn) {
+  Decision d = in_two_phases(true);
+  d.nodes[6] = answer("sequence", "sequence", 1, 0);
+  d.nodes.insert(d.nodes.end(),
+                 {answer("not low", "inverter", 2, 6), answer("low", "low", 3, 7),
+                  answer("delay", "delay", 2, 6), answer("in_sight", "in_sight", 3, 9)});
+  for (const std::size_t holds : {6u, 7u, 9u, 10u}) {
+    d.nodes[holds].asked = true;
+    d.nodes[holds].status = Status::success;
+  }
+  EXPECT_EQ(why_not(d, 2), "far was left for near: not low holds, in_sight holds");
+  d.nodes[6].label = "close enough";
+  EXPECT_EQ(why_not(d, 2), "far was left for near: close enough holds");
+}
+
 TEST(Decision, ComparesTheVotesWhereTheBranchesMeet) {
   Decision d = in_two_phases(false);
   d.nodes[0].type = "winner_takes_all";

@@ -4,16 +4,31 @@
 namespace eyrie::debrief {
 namespace {
 
+/// Which conditions made a node hold: itself, or what is below one that has no words of its own.
+std::vector<std::string> conditions(const Decision& now, ubf::NodeIndex node) {
+  const Answer& answer = now.nodes[node];
+  if (!answer.asked || answer.status != ubf::Status::success || !answer.action.empty())
+    return {};
+  std::vector<std::string> all;
+  if (answer.label == answer.type)
+    for (std::size_t n = node; n < now.nodes.size(); ++n)
+      if (now.nodes[n].parent == node)
+        std::ranges::move(conditions(now, static_cast<ubf::NodeIndex>(n)), std::back_inserter(all));
+  return all.empty() ? std::vector{answer.label} : all;
+}
+
 /// Where a sequencer went, and because of what: " for wvr: in_sight holds".
 std::string transition(const Decision& now, ubf::NodeIndex sequencer) {
   std::string to, because;
-  for (const Answer& child : now.nodes) {
+  for (std::size_t n = sequencer; n < now.nodes.size(); ++n) {
+    const Answer& child = now.nodes[n];
     if (child.parent != sequencer || !child.asked)
       continue;
     if (child.vote > 0)
       to = " for " + child.label;
-    else if (child.status == ubf::Status::success && child.action.empty())
-      because += fmt::format("{}{} holds", because.empty() ? ": " : ", ", child.label);
+    else
+      for (const std::string& condition : conditions(now, static_cast<ubf::NodeIndex>(n)))
+        because += fmt::format("{}{} holds", because.empty() ? ": " : ", ", condition);
   }
   return to + because;
 }

@@ -136,6 +136,16 @@ test('answers and changes of leader are told in words', () => {
   assert.deepEqual(path_of_leader(run, now!), new Set([find(run, 'release'), find(run, 'bvr'), 0]));
 });
 
+test('the conditions below a transition that has no words of its own are named', () => {
+  const holds = { status: 'success' } as const;
+  const run = run_of(node('root', 'sequencer', [leaf('ingress'), leaf('bvr'), node('sequence', 'sequence', [leaf('near'), node('delay', 'delay', [leaf('low')])])]),
+    [{ root: { vote: 5 }, bvr: { vote: 5, heading: 1 }, sequence: holds, near: holds, delay: holds, low: holds }]);
+  const told = () => why_not(run.trees[0]!, run.shapes[0]!, find(run, 'ingress'));
+  assert.equal(told(), 'ingress was left for bvr: near holds, low holds');
+  run.trees[0]!.nodes[find(run, 'sequence')]!.label = 'close enough';
+  assert.equal(told(), 'ingress was left for bvr: close enough holds');
+});
+
 for (const [now, pursue_says] of [['did not propose it this time', { status: 'failure' }], ['proposes another one, without a vote', { vote: 0, heading: 5 }]] as const)
   test(`what a node holds of somebody who ${now} is neither blended nor won by votes against him`, () => {
     const run = run_of(node('root', 'per_field', [node('steady', 'commitment', [leaf('pursue'), leaf('navigate')]), leaf('follow')]),

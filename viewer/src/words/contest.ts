@@ -122,15 +122,22 @@ export function path_of_leader(run: Run, shape: Shape): Set<number> {
   return way;
 }
 
+/** Which conditions made a node hold: itself, or what is below one that has no words of its own. */
+function conditions(tree: Tree, shape: Shape, node: number): string[] {
+  if (shape.status[node] !== 'success' || shape.supplier[node]?.some((supplier) => supplier >= 0)) return [];
+  const { label, type, children } = tree.nodes[node]!;
+  const all = label === type ? children.flatMap((child) => conditions(tree, shape, child)) : [];
+  return all.length ? all : [label];
+}
+
 /** Where a sequencer went, and because of what: " for wvr: in_sight holds". */
 function transition(tree: Tree, shape: Shape, sequencer: number): string {
   let to = '';
   let because = '';
   for (const child of tree.nodes[sequencer]!.children) {
     if (shape.status[child] === null) continue;
-    const { label } = tree.nodes[child]!;
-    if (shape.vote[child]! > 0) to = ` for ${label}`;
-    else if (shape.status[child] === 'success' && !shape.supplier[child]?.some((supplier) => supplier >= 0)) because += `${because ? ', ' : ': '}${label} holds`;
+    if (shape.vote[child]! > 0) to = ` for ${tree.nodes[child]!.label}`;
+    else because += conditions(tree, shape, child).map((one, i) => `${because || i ? ', ' : ': '}${one} holds`).join('');
   }
   return to + because;
 }
