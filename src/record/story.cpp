@@ -111,8 +111,8 @@ void Story::ended(const sim::Event& e) {
             "{} at {} is trashed: {}", missile.label, name(missile.target),
             enum_name(static_cast<model::weapon::MissileEnd>(static_cast<int>(e.values[0])))));
   else if (e.values[1] <= e.values[2])  // the draw was above the kill probability
-    say(missile.shooter, fmt::format("{} misses {} by {}", missile.label, name(missile.target),
-                                     close_range(e.values[0])));
+    say(missile.shooter, fmt::format("{} bursts {} from {}: no kill, Pk {:.2f}", missile.label,
+                                     close_range(e.values[0]), name(e.whom), e.values[1]));
 }
 
 void Story::tell(const sim::Event& e) {
