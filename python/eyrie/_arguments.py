@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 import operator
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,8 @@ _WORD = 2**64 - 1
 
 def whole(name: str, value: Any, least: int = 0, most: int = _WORD) -> int:
     """A whole number in [least, most]."""
+    if isinstance(value, bool | np.bool_):
+        raise TypeError(f"{name}: {value!r} is no whole number")
     try:
         number = operator.index(value)
     except TypeError:
@@ -37,6 +39,8 @@ def number(name: str, value: Any) -> float:
 
 def no_options(options: Any) -> None:
     """Those that Gymnasium hands to reset(): there are none."""
+    if options is not None and not isinstance(options, Mapping):
+        raise TypeError(f"options: {options!r} is no mapping")
     if options:
         raise ValueError(f"options: reset() has none, got {', '.join(map(repr, options))}")
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple, overload
 
@@ -54,6 +55,8 @@ def param(
     if unit and isinstance(default, str | bool | np.bool_):
         raise ValueError(f"unit: {default!r} is no number and has none, not {unit!r}")
     least, most = (None if one is None else number("limits", one) for one in limits)
+    if not (-math.inf if least is None else least) <= (math.inf if most is None else most):
+        raise ValueError(f"limits: nothing is within {limits!r}")
     return Parameter(default, text("unit", unit), (least, most), text("help", help))
 
 
@@ -163,14 +166,18 @@ def _made(function: Callable[..., Any], name: str | None, platform: str) -> Beha
     def ask(state: Any, *values: Any) -> tuple[int, float, dict[str, Any]]:
         return _answer(function(state, **dict(zip(names, values, strict=True))))
 
-    its_name = text("name", name) if name else function.__name__
+    its_name = getattr(function, "__name__", None) if name is None else text("name", name)
+    if its_name is None:
+        raise TypeError(f"name: {function!r} has none of its own; say @eyrie.behavior(name=...)")
     help = inspect.cleandoc(function.__doc__ or "").split("\n")[0]
     return Behavior(function, _core.behavior(its_name, help, platform, ask, lines), names)
 
 
 def _answer(said: Any) -> tuple[int, float, dict[str, Any]]:
     if isinstance(said, Proposal):
-        return _STATUS[said.status], float(said.vote), dict(said.fields)
+        return _STATUS[said.status], float(said.vote), {
+            field: bool(value) if isinstance(value, np.bool_) else value for field, value in said.fields.items()
+        }
     if isinstance(said, np.bool_):
         said = bool(said)
     if said is None or said is False:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
 from collections.abc import Iterable, Mapping
@@ -36,6 +37,7 @@ class Saved:
     def __init__(self, core: _core.SavedEnv, draws: Any) -> None:
         self.core = core
         self.draws = draws  # of the seeds of episodes to come
+        self.agents: list[str] = []  # of several: who is in the episode
 
     def __reduce__(self) -> Any:
         raise TypeError("what an environment saved is kept in this process only")
@@ -44,7 +46,8 @@ class Saved:
 class _Pool:
     """Policies that fly for opponents: each is a tree of its own."""
 
-    def __init__(self) -> None:
+    def __init__(self, lines: list[str]) -> None:
+        self.taken = {".".join(line.partition("=")[0].split(".")[:2]) for line in lines}
         self.trees: dict[str, Any] = {}
         self.folders: list[str] = []
 
@@ -53,7 +56,8 @@ class _Pool:
             return text(who, name)
         file = Path(path(who, name)).resolve()
         self.folders.append(str(file.parent))
-        tree = f"policy_{len(self.trees) + 1}"
+        numbers = itertools.count(len(self.trees) + 1)
+        tree = next(name for name in map("policy_{}".format, numbers) if f"trees.{name}" not in self.taken)
         self.trees[f"trees.{tree}"] = {"policy": {"file": json.dumps(str(file), ensure_ascii=False)}}
         return tree
 
@@ -77,7 +81,8 @@ class Native:
             raise TypeError(f"opponents: {opponents!r} is no mapping of players to lists of trees")
         if not isinstance(rewards, Mapping):
             raise TypeError(f"rewards: {rewards!r} is no mapping of terms to weights")
-        pool = _Pool()
+        lines = override_lines(set)
+        pool = _Pool(lines)
         trees = {
             text("opponents", who): [
                 pool.tree(f"opponents: {who}", one) for one in several(f"opponents: {who}", its, "trees")
@@ -86,7 +91,7 @@ class Native:
         }
         self.core = core = _core.vector_env(
             text("task", task),
-            override_lines(set) + override_lines(pool.trees),
+            lines + override_lines(pool.trees),
             trees,
             {text("rewards", term): _weight(term, weight) for term, weight in rewards.items()},
             whole("num_envs", worlds, 1),
@@ -124,7 +129,7 @@ class Native:
         draws.bit_generator.state = saved.draws
 
     def episode(self, world: int, last: bool) -> Run:
-        recorded = self.core.episode(whole("index", world), bool(last))
+        recorded = self.core.episode(whole("index", world), switch("last", last))
         return Run(recorded, Scenario(recorded.scenario))
 
     def observation_space(self) -> gymnasium.Space[Any]:
@@ -162,7 +167,13 @@ class Played:
 
 
 def as_actions(actions: Any, shape: tuple[int, ...]) -> Floats:
-    numbers = np.ascontiguousarray(actions, np.float32)
+    try:
+        numbers = np.asarray(actions)
+        if numbers.dtype.kind not in "fiub":
+            raise TypeError
+    except (TypeError, ValueError):
+        raise TypeError(f"actions: {actions!r} is no array of numbers of shape {shape}") from None
+    numbers = np.ascontiguousarray(numbers, np.float32).reshape(numbers.shape)
     if numbers.shape != shape:
         raise ValueError(f"actions: shape {numbers.shape} is not {shape}")
     return numbers

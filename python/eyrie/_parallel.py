@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from pettingzoo import ParallelEnv
 
+from ._arguments import whole
 from ._native_env import Floats, Infos, Native, Played, Saved, as_actions
 
 #: What step() gives, of each agent: observation, reward, terminated, truncated, info.
@@ -42,7 +44,7 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
     ) -> tuple[dict[str, Floats], dict[str, Infos]]:
         """Begins an episode. There are no options; PettingZoo's own test gives some."""
         if seed is not None:
-            self._seeds = np.random.default_rng(seed)
+            self._seeds = np.random.default_rng(whole("seed", seed))
         self._native.core.reset(int(self._seeds.integers(2**32)))
         self.agents = list(self.possible_agents)
         return self._seen(self._native.observations), self._infos()
@@ -51,6 +53,8 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
         native = self._native
         if not self.agents:
             raise RuntimeError("nobody is in an episode: reset() begins one")
+        if not isinstance(actions, Mapping):
+            raise TypeError(f"actions: {actions!r} is no mapping of agents to actions")
         if strangers := [who for who in actions if who not in self._row]:
             raise ValueError(f"actions: {strangers[0]!r} is none of {', '.join(self.possible_agents)}")
         if missing := [who for who in self.agents if who not in actions]:
@@ -77,13 +81,15 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
 
     def save(self) -> Saved:
         """Where the episode stands, to go on from there again."""
-        return self._native.save(self._seeds)
+        saved = self._native.save(self._seeds)
+        saved.agents = list(self.agents)
+        return saved
 
     def restore(self, saved: Saved) -> tuple[dict[str, Floats], dict[str, Infos]]:
         """Goes on from there; what reset() gives."""
         native = self._native
         native.restore(saved, self._seeds)
-        self.agents = [who for who in self.possible_agents if native.alive[0, self._row[who]]]
+        self.agents = list(saved.agents)
         return self._seen(native.observations), self._infos()
 
     def close(self) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from . import _core
-from ._arguments import path, paths, seconds, several, text as checked_text
+from ._arguments import path, paths, seconds, several, switch, text as checked_text
 from ._behavior import Behavior
 from ._errors import FaultError
 from ._scenario import Scenario, Sets, cores_of, flight_options, load
@@ -29,7 +29,7 @@ class StoryLine(NamedTuple):
 class Explanation:
     """Decisions with every node's answer.
 
-    ``str()`` is what ``eyrie explain`` prints; ``data`` the same as lists and dictionaries, whose keys
+    ``str()`` is what ``eyrie explain`` prints, but for the outcome under ``explain()``; ``data`` the same as lists and dictionaries, whose keys
     docs/howto/explain-a-decision.md has. Numbers are in SI.
     """
 
@@ -105,7 +105,7 @@ class Run:
         """Where everybody was.
 
         Args:
-            player: whose rows; None: everybody's, missiles included.
+            player: whose rows, one of those that were there at the start; None: everybody's, missiles included.
             every: s between two rows, of one step at least; None: 1 s, of missiles 0.2 s.
         """
         if every is not None:
@@ -123,7 +123,7 @@ class Run:
             changes: only those in which somebody else leads, another tree decides or an order is
                 another one than before.
         """
-        return table_of(self._core.decisions(_name(player), seconds("every", every), bool(changes)))
+        return table_of(self._core.decisions(_name(player), seconds("every", every), switch("changes", changes)))
 
     def explain(
         self,
@@ -160,7 +160,7 @@ class Run:
                 seconds(name, time)
         if start is not None and end is not None and start > end:
             raise ValueError(f"start: {start} s is after end: {end} s")
-        player, event = _name(player), checked_text("event", event)
+        player, event, changes = _name(player), checked_text("event", event), switch("changes", changes)
         given = {"at": at, "event": event or None, "start": start, "end": end, "changes": changes or None}
         asked = [name for name, value in given.items() if value is not None]
         if len(asked) > 1 and asked[0] in ("at", "event"):
@@ -171,7 +171,7 @@ class Run:
             text, data = self._core.key_moments()
         else:
             until = 1e9 if end is None else end
-            text, data = self._core.explain(player, at, start or 0, until, bool(changes or not asked), event)
+            text, data = self._core.explain(player, at, start or 0, until, changes or not asked, event)
         return Explanation(text, json.loads(data))
 
     def save(self, folder: str | os.PathLike[str], *, replace: bool = False) -> Path:
@@ -183,7 +183,7 @@ class Run:
             FileExistsError: something is there; a run only with ``replace``, anything else always.
             OSError: nothing can be made there.
         """
-        return Path(self._core.save(path("folder", folder), bool(replace)))
+        return Path(self._core.save(path("folder", folder), switch("replace", replace)))
 
     def __reduce__(self) -> Any:
         raise TypeError("a run is not pickled: save() it, and open() it on the other side")

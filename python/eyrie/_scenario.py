@@ -138,12 +138,15 @@ def load(
         ConfigError: it has mistakes; ``problems`` has all of them with file, line and column.
     """
     behaviors = several("behaviors", behaviors, "behaviors")
+    folders = paths("include", include)
+    if missing := [folder for folder in folders if not Path(folder).is_dir()]:
+        raise ValueError(f"include: there is no folder {missing[0]!r}")
     core = _core.load(
         path("scenario", scenario),
         None if text is None else checked_text("text", text),
         override_lines(set),
         paths("plugins", plugins),
-        paths("include", include),
+        folders,
         cores_of(behaviors),
         home(),
     )
@@ -193,12 +196,12 @@ def _yaml(value: Any, path: str) -> str:
     if isinstance(value, float) and not math.isfinite(value):
         raise ValueError(f"{path}: {value} is no value of a parameter")
     if isinstance(value, int | float):
-        return repr(value)
+        return int.__repr__(value) if isinstance(value, int) else float.__repr__(value)
     if isinstance(value, str):
         return value
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{key}: {_yaml(one, path)}" for key, one in value.items()) + "}"
-    if isinstance(value, Iterable):
+    if isinstance(value, Iterable) and not isinstance(value, bytes):
         return "[" + ", ".join(_yaml(one, path) for one in value) + "]"
     raise TypeError(f"{path}: a {type(value).__name__} is no value of a parameter")
 

@@ -52,6 +52,8 @@ class Table(np.ndarray[Any, np.dtype[np.void]]):
         got = super().__getitem__(key)
         if isinstance(got, Table) and got.dtype.names is None:
             return got.view(np.ndarray)
+        if isinstance(got, Table):  # of some columns, if a list of names was asked for
+            got.columns = {name: self.columns[name] for name in got.dtype.names or () if name in self.columns}
         return got
 
     def to_pandas(self) -> pandas.DataFrame:

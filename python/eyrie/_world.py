@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import math
 from typing import Any, cast
 
 import numpy as np
@@ -107,7 +108,10 @@ class World:
         Raises:
             ValueError: with what is wrong with it.
         """
-        said = json.dumps({"order": order, **words}, allow_nan=False, default=_plain)
+        if "do" in words:
+            raise ValueError(f"do: an order has no such word, got {words['do']!r}")
+        asked = {word: _plain(word, value) for word, value in {"order": text("order", order), **words}.items()}
+        said = json.dumps(asked, ensure_ascii=False)
         self._core.order(said, None if at_step is None else whole("at_step", at_step))
 
     @property
@@ -151,10 +155,16 @@ class World:
         return (_flown_again, (_core.version_text(), self.scenario, state))
 
 
-def _plain(value: Any) -> Any:
+def _plain(word: str, value: Any) -> Any:
     if isinstance(value, np.generic):
-        return value.item()
-    raise TypeError(f"a {type(value).__name__} is no part of an order")
+        value = value.item()
+    if isinstance(value, str):
+        return text(word, value)
+    if isinstance(value, float) and not math.isfinite(value):
+        raise ValueError(f"{word}: {value} is no number that an order can have")
+    if value is None or isinstance(value, bool | int | float):
+        return value
+    raise TypeError(f"{word}: a {type(value).__name__} is no part of an order")
 
 
 def _flown_again(

@@ -16,7 +16,7 @@ import numpy.typing as npt
 from gymnasium.vector import AutoresetMode
 
 from . import _core
-from ._arguments import no_options
+from ._arguments import no_options, switch
 from ._native_env import (
     AS_THE_TASK_SAYS,
     NOBODY,
@@ -136,8 +136,8 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
     observation in its row, ``infos["final_info"]`` its mask, and ``infos["_final_obs"]`` says where. ``infos["mask"]`` is as in
     :class:`Env`, one row for each world.
 
-    The arrays that step() gives are those that the engine writes into, not copied: read-only, and the
-    same in every step. Take a ``.copy()`` of what is to be kept, or say ``copy=True``.
+    The arrays that step() gives, but for the rewards, are those that the engine writes into, not copied: read-only, and
+    the same in every step. Take a ``.copy()`` of what is to be kept, or say ``copy=True``.
 
     Args:
         num_envs: how many worlds.
@@ -162,9 +162,9 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
     ) -> None:
         no_drawing(render_mode)
         self._native = Native(task, num_envs, threads, set, opponents, rewards, privileged)
-        self.num_envs = num_envs
+        self.num_envs = num_envs = len(self._native.over)
         self.render_mode = None
-        self._copy = copy
+        self._copy = switch("copy", copy)
         self.single_observation_space = self._native.observation_space()
         self.single_action_space = self._native.action_space()
         self.observation_space = gymnasium.vector.utils.batch_space(
@@ -192,7 +192,7 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
         native.core.step(as_actions(actions, (self.num_envs, len(native.actions)))[:, None])
         return (
             self._given(native.observations[:, 0]),
-            self._given(native.rewards[:, 0]),
+            native.rewards[:, 0].copy(),  # which wrappers change in place
             self._given(native.terminated[:, 0]),
             self._given(native.truncated[:, 0]),
             self._infos(),

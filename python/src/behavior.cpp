@@ -233,8 +233,9 @@ Behavior behavior(std::string name, std::string help, const std::string& platfor
       if (most)
         line.limits.max = in_si(its_name, *most, unit);
       if (!std::isfinite(number) || !line.limits.contains(number))
-        throw nb::value_error(
-            fmt::format("{}: its default {} is outside its limits", its_name, number).c_str());
+        throw nb::value_error(fmt::format("{}: its default {}{}{} is outside its limits", its_name,
+                                          nb::cast<double>(value), unit.empty() ? "" : " ", unit)
+                                  .c_str());
     }
     type->lines.push_back(line);
   }

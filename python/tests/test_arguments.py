@@ -41,24 +41,32 @@ WORLD: dict[str, Callable[[Any], object]] = {
     "opponents": lambda it: envs.Env("merge", opponents={"bandit1": it}),
     "rewards: win": lambda it: envs.Env("merge", rewards={"win": it}),
     "index": lambda it: envs.VectorEnv("merge", 1).episode(it),
+    "last": lambda it: envs.Env("merge").episode(last=it),
+    "copy": lambda it: envs.VectorEnv("merge", 1, copy=it),
+    "options": lambda it: envs.Env("merge").reset(options=it),
+    "actions": lambda it: envs.Env("merge").step(it),
 }
 WRONG: dict[str, list[Any]] = {
     "text": [b"extends: merge", "# \ud800"],
     "plugins": ["mine.so", 3],
-    "include": ["/tmp", Path("/tmp"), [3]],
+    "include": ["/tmp", Path("/tmp"), [3], ["/tmp/nowhere"]],
     "behaviors": [3],
     "set": [[3], ["until=\ud800"], 3],
     "until": ["3 s", [3]],
-    "workers": [1.5, "2", -1, 257, 10**30],
+    "workers": [1.5, "2", -1, 257, 10**30, True],
     "count": [1.5, "2", -1, 2**64],
     "at_step": [1.5, -1, 2**64],
-    "limits": [5, (1,), ("1", None)],
-    "num_envs": [1.5, "2", 0, 2**64],
+    "limits": [5, (1,), ("1", None), (2, 1), (float("nan"), 3)],
+    "num_envs": [1.5, "2", 0, 2**64, True],
     "threads": [1.5, 0, 10**30],
     "privileged": ["no", None, 1],
     "opponents": ["veteran", 3, [3]],
     "rewards: win": ["2", None, (1, 2), [], (1, 2, "3")],
-    "index": [-1, 1.5, "0"],
+    "index": [-1, 1.5, "0", True],
+    "last": ["no", None, 1],
+    "copy": ["no", None, 1],
+    "options": [3, "x"],
+    "actions": [None, "0", {"turn": 1}, [[0.0], 1], np.float32(0)],
 }
 
 
@@ -78,6 +86,8 @@ def test_those_of_a_run_too(run: eyrie.Run, tmp_path: Path) -> None:
         "event": lambda: run.explain("viper1", event=3),  # type: ignore[arg-type]
         "start": lambda: run.explain("viper1", start=10, end=5),
         "folder": lambda: run.save(str(tmp_path / "a\0b")),
+        "replace": lambda: run.save(tmp_path / "a", replace="no"),  # type: ignore[arg-type]
+        "changes": lambda: run.decisions(changes="no"),  # type: ignore[arg-type]
     }
     for name, ask in wrong.items():
         with pytest.raises((TypeError, ValueError), match=f"^{name}: "):

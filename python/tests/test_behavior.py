@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import functools
 import math
 import os
 import pickle
@@ -259,7 +260,8 @@ def test_numbers_of_numpy_are_numbers() -> None:
     ) -> Any:
         """is asked by NumPy"""
         assert (whole, half, flag) == (3000.0, 0.5, True)
-        return np.bool_(state.altitude < 0)
+        high = np.bool_(state.altitude > 5)
+        return eyrie.propose(1, heading=np.float32(1), trigger=high) if high else high
 
     assert not numbers(SimpleNamespace(altitude=3))
     assert len(_with("numbers", numbers).decisions())
@@ -301,6 +303,12 @@ def test_wrong_definitions_are_named() -> None:
     with pytest.raises(TypeError, match="to: None is no number"):
         nothing = eyrie.param(None, help="x")  # type: ignore[arg-type]
         eyrie.behavior(name="none")(lambda state, to=nothing: None)
+    with pytest.raises(TypeError, match="name: .* has none of its own"):
+        eyrie.behavior(functools.partial(lambda state: None))
+    with pytest.raises(ValueError, match="'' is no name"):
+        eyrie.behavior(name="")(lambda state: None)
+    with pytest.raises(ValueError, match="to: its default 3 km is outside"):
+        eyrie.behavior(name="far")(lambda state, to=eyrie.param(3, "km", (0, 2), help="x"): None)
     for other in (True, "text"):
         with pytest.raises(ValueError, match="no number and has none, not 'm'"):
             eyrie.param(other, "m", help="x")

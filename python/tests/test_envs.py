@@ -76,6 +76,7 @@ def test_many_worlds_are_stepped_by_one_call() -> None:
         other = alone.step(actions)
         assert np.shares_memory(seen, again)  # not copied
         assert (other[0] == again).all() and (other[1] == rewards).all()
+        rewards *= 0  # as wrappers do; not those that the engine writes into
         assert ("final_obs" in infos) == bool((terminated | truncated).any())
         ended += int((terminated | truncated).sum())
     with pytest.raises(ValueError, match="read-only"):
@@ -228,6 +229,18 @@ def test_the_seeds_to_come_are_saved_too() -> None:
     several.restore(before)
     again = several.step(act)[0]
     assert all((seen[who] == again[who]).all() for who in seen)
+    with pytest.raises(TypeError, match="actions: .* is no mapping"):
+        several.step([act])
+    with pytest.raises(TypeError, match="seed: "):
+        several.reset(seed=1.5)
+    over = several.agents
+    several.agents = []  # as after its end
+    ended = several.save()
+    several.reset(seed=3)
+    several.restore(ended)
+    assert over and not several.agents
+    several.restore(before)
+    assert several.agents == over
     with pytest.raises(ValueError, match="'eagle9' is none of eagle1"):
         several.step({**act, "eagle9": act["eagle1"]})
     assert "observation" in several.policy_words
@@ -360,6 +373,8 @@ replace: {{blue.flights.viper.tree: learned}}
     assert "policy" in json.dumps(who)
     with pytest.raises(eyrie.ConfigError, match="cannot read"):
         envs.Env("merge", opponents={"bandit1": ["nobody.safetensors"]})
+    mine = {"trees.policy_1": {"navigate": None}}  # a tree of that name is the user's own
+    envs.Env("merge", opponents={"bandit1": [file, "policy_1"]}, set=mine)
 
 
 def test_votes_are_saved_as_votes() -> None:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import enum
 import pickle
 from pathlib import Path
 
@@ -60,8 +61,13 @@ def test_values_of_overrides_are_yaml() -> None:
     assert eyrie.load("merge", set={"orders": []}).seed == eyrie.load("merge").seed
     with pytest.raises(ValueError, match="until: nan"):
         until(float("nan"))
-    with pytest.raises(TypeError, match="no value of a parameter"):
-        until(object())  # type: ignore[arg-type]
+    class Seeds(enum.IntEnum):
+        LUCKY = 12
+
+    assert eyrie.load("merge", set={"seed": Seeds.LUCKY}).seed == 12
+    for wrong in (object(), b"10 s"):
+        with pytest.raises(TypeError, match="no value of a parameter"):
+            until(wrong)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="a mapping"):
         eyrie.load("merge", set="until=10 s")
 

@@ -65,6 +65,7 @@ def test_columns_are_plain_arrays(run: eyrie.Run) -> None:
     assert not hasattr(column, "to_pandas")  # which a column of a table has not
     two = tracks[["time_s", "altitude_m"]]
     assert isinstance(two, eyrie.Table) and list(two.to_pandas()) == ["time_s", "altitude_m"]
+    assert list(two.columns) == ["time_s", "altitude_m"] == two.to_arrow().column_names
     assert isinstance(tracks[3], np.void) and isinstance(tracks[:3], eyrie.Table)
 
 

@@ -175,7 +175,7 @@ std::string nothing_text(const std::string& player, const Wanted& wanted, const 
     return fmt::format(
         "{} had no such event in this run; it had {}", player,
         found.events.empty() ? "none" : fmt::format("{}", fmt::join(found.events, ", ")));
-  const bool to_the_end = !wanted.changes && wanted.to >= found.until;
+  const bool to_the_end = !wanted.changes && wanted.to > found.until + 1e-9;
   if (wanted.from > found.until || to_the_end)
     return fmt::format("{} made no decision from {} on: it was there until {}", player,
                        record::clock_text(wanted.from), record::clock_text(found.until));

@@ -18,10 +18,14 @@ std::string plugin_problem(const scenario::PluginFile& plugin, const std::string
   std::error_code failed;
   if (unasked && !fs::path(file).is_absolute())
     return fmt::format(
-        "the run needs the plug-in {}, at no absolute path; --plugin says where it is", shown);
+        "the run needs the plug-in {}, at no absolute path; --plugin (in Python plugins=) says "
+        "where it is",
+        shown);
   if (!fs::exists(file, failed))
     return fmt::format(
-        "the run needs the plug-in {}, which is not there; --plugin says where it is now", shown);
+        "the run needs the plug-in {}, which is not there; --plugin (in Python plugins=) says "
+        "where it is now",
+        shown);
   const disk::FileRead read = scenario::read_plugin_file(file);
   if (!read.problem.empty())
     return fmt::format("the run needs the plug-in {}: {}", shown, read.problem);

@@ -190,6 +190,11 @@ Opened open(record::RunFile run, std::string file, std::vector<std::string> plug
   try {
     recorded.scenario = with_overrides(recorded, {});
   } catch (const ConfigError& e) {
+    if (recorded.run.build == build)
+      return {std::nullopt,
+              {"the scenario inside needs what is not here, such as a behavior of "
+               "Python (behaviors=):\n" +
+               e.diagnostics().text()}};
     return {std::nullopt,
             {fmt::format("recorded by {}; {} refuses the scenario inside:\n{}",
                          printable(recorded.run.build), build, e.diagnostics().text())}};

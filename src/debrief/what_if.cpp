@@ -163,11 +163,10 @@ std::vector<std::string> trees_of(const scenario::Scenario& scenario) {
 
 /// The paths of the nodes of the tree of that name, whoever uses it, in pre-order.
 std::vector<std::string> paths_of(const scenario::Scenario& scenario, const std::string& name) {
-  std::vector<std::string> paths;
   for (const ubf::AnyTree* tree : scenario.all_trees())
-    for (std::size_t i = 0; tree->name() == name && paths.size() < tree->size(); ++i)
-      paths.push_back(tree->path(static_cast<ubf::NodeIndex>(i)));
-  return paths;
+    if (tree->name() == name)
+      return tree->paths();
+  return {};
 }
 
 /// False if the text is no override of a node.

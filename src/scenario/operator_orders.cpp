@@ -190,16 +190,16 @@ class OrderReader {
                               .more = asked_.more ? 1U : 0U});
     else if (asked_.order == "route")
       order(who, OrderKind::point, model::PointToFly{.more = 2});
-    else if (const auto node = fleet.trees[*tree]->find(*asked_.node);
-             node && !fleet.trees[*tree]->node(*node).takes_vote())
+    else if (const auto node = fleet.trees[*tree]->find(*asked_.node); !node)
+      refuse("there is no node {} in tree {}{}", quote(*asked_.node), *asked_.tree,
+             did_you_mean(*asked_.node, fleet.trees[*tree]->paths()));
+    else if (!fleet.trees[*tree]->node(*node).takes_vote())
       refuse("{} does not vote", *asked_.node);
-    else if (node)
+    else
       order(who, OrderKind::vote,
             model::VoteChange{.vote = static_cast<float>(asked_.vote.value_or(-1)),
                               .number = static_cast<std::uint16_t>(*node + 1),
                               .tree = static_cast<std::uint16_t>(*tree + 1)});
-    else
-      refuse("there is no node {} in tree {}", quote(*asked_.node), *asked_.tree);
   }
 
   std::optional<std::uint16_t> tree_of(PlayerId who, const Fleet& fleet) {
@@ -300,6 +300,11 @@ std::string why_unable(const sim::Order& one, const Scenario& scenario, const si
 OperatorOrders orders_from_json(const Scenario& scenario, std::string_view text,
                                 std::uint64_t step) {
   static constexpr std::array<std::string_view, 1> kOfTheChannel{"do"};
+  if (text.size() > kOrderLimits.bytes)
+    return {.kind = {},
+            .orders = {},
+            .problem = fmt::format("an order has at most {} bytes, this one has {}",
+                                   kOrderLimits.bytes, text.size())};
   Diagnostics wrong;
   AskedOfPlayer asked;
   const Value value = parse_yaml(yaml_of(text), "order", wrong, kOrderLimits);

@@ -125,6 +125,9 @@ TEST_F(OperatorOrder, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"order":"tree","player":"eagle1"})"), "an order 'tree' needs 'tree'");
   EXPECT_EQ(problem(R"({"order":"vote","player":"eagle1","tree":"veteran","node":"root/x"})"),
             "there is no node 'root/x' in tree veteran");
+  EXPECT_EQ(
+      problem(R"({"order":"vote","player":"eagle1","tree":"veteran","node":"root/bvr/pres"})"),
+      "there is no node 'root/bvr/pres' in tree veteran; did you mean 'root/bvr/press'?");
   const ubf::AnyTree& tree = *scenario_->fleet_of(*scenario_->roster.find("eagle1")).trees[0];
   for (ubf::NodeIndex node = 0; node < tree.size(); ++node)
     EXPECT_EQ(orders(fmt::format(
@@ -144,7 +147,8 @@ TEST_F(OperatorOrder, SaysWhatIsWrong) {
         R"({"order":"lose","player":"eagle1","more":1})",
         R"({"order":"lose","player":"eagle1","player":"eagle2"})"})
     EXPECT_NE(problem(bad), "") << bad;
-  EXPECT_NE(problem(R"({"order":"lose","player":")" + std::string(5000, 'x') + "\"}"), "");
+  EXPECT_EQ(problem(R"({"order":"lose","player":")" + std::string(5000, 'x') + "\"}"),
+            "an order has at most 4096 bytes, this one has 5028");
 }
 
 TEST_F(OperatorOrder, HasATargetThatIsAWholeNumber) {

@@ -40,7 +40,7 @@ std::string Source::why_unread(const std::string& name, const std::string& asker
   if (folders_ && folders_->is_outside(name))
     return quote_path(name) +
            " is outside the folder of the scenario and the installation; --allow-include FOLDER "
-           "allows it";
+           "(in Python include=) allows it";
   const std::string cannot = "cannot read " + quote_path(name);
   if (folders_)
     return cannot + folders_->why_unread(name, asker);

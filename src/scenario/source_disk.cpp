@@ -40,7 +40,8 @@ class Disk final : public Source::Folders {
     roots_.clear();
     for (const fs::path& one : folders) {
       std::error_code failed;
-      if (const fs::path root = fs::canonical(one, failed); !failed)
+      const fs::path root = fs::weakly_canonical(fs::absolute(one, failed), failed);
+      if (!failed)
         roots_.push_back(root);
     }
     confined_ = true;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file  From a task to environments: who learns, what an action is, against whom.
-#include <unistd.h>
-
 #include <algorithm>
 #include <bit>
+#include <fstream>
+#include <limits>
 
 #include "core/hash.hpp"
 #include "train/slot.hpp"
@@ -15,13 +15,23 @@ namespace {
 /// Environments are cut into so many runs per worker, so that none waits long for another.
 constexpr std::size_t kLanesPerWorker = 4;
 
+/// Bytes that this program can still take: what the machine has left, at most what the group of
+/// processes that it is in may have; infinity where neither is told.
+double memory_left() {
+  double left = std::numeric_limits<double>::infinity();
+  std::ifstream machine("/proc/meminfo");
+  for (std::string word; machine >> word;)
+    if (double kB = 0; word == "MemAvailable:" && machine >> kB)
+      left = kB * 1024;
+  if (double most = 0; std::ifstream("/sys/fs/cgroup/memory.max") >> most)
+    left = std::min(left, most);
+  return left;
+}
+
 /// Refuses what would make the system end the program on the way.
 void check_memory(std::size_t envs, double bytes) {
-  const double there =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (bytes > there)
-    refuse("{} environments need {:.0f} GB, this machine has {:.0f} GB", envs, bytes / 1e9,
-           there / 1e9);
+  if (const double left = memory_left(); bytes > left)
+    refuse("{} environments need {:.1f} GB, and {:.1f} GB are left", envs, bytes / 1e9, left / 1e9);
 }
 
 }  // namespace
@@ -69,11 +79,15 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
       static_cast<std::size_t>(scenario_->spec.until / seconds_ + 2) * learners_.size();
   room_ = scenario_->orders.size() + choices_.size() +
           decisions * (task_.votes ? action_names_.size() : 1);
-  const double worlds =
-                   static_cast<double>(options_.envs * scenario_->simulation->schema().bytes()),
-               episodes = static_cast<double>(std::min(options_.envs, options_.keep_episodes) * 2 *
-                                              room_ * sizeof(sim::Order));
-  check_memory(options_.envs, worlds + episodes);
+  constexpr std::size_t kArrays = 3, kSlack = 1024;  // of the caller, with last ones; of the heap
+  const std::size_t world =
+      scenario_->simulation->schema().bytes() + sizeof(Slot) + kSlack +
+      shape_.agents *
+          (sizeof(Slot::Agent) + kArrays * sizeof(float) * (shape_.observation + shape_.action));
+  const std::size_t episodes =
+      std::min(options_.envs, options_.keep_episodes) * 2 * room_ * sizeof(sim::Order);
+  check_memory(options_.envs, static_cast<double>(options_.envs) * static_cast<double>(world) +
+                                  static_cast<double>(episodes));
   for (std::size_t env = 0; env < options_.envs; ++env)
     slots_.emplace_back(*scenario_, learners_.size(), task_.votes ? action_names_.size() : 0,
                         env < options_.keep_episodes ? room_ : 0);
@@ -142,9 +156,7 @@ void VectorEnv::read_learners() {
     Learner learner{.id = *id, .nodes = {}};
     if (task_.votes) {
       const pilot::Tree& flown = (*scenario_->trees)[tree];
-      std::vector<std::string> paths;
-      for (std::size_t i = 0; i < flown.size(); ++i)
-        paths.push_back(flown.path(static_cast<ubf::NodeIndex>(i)));
+      const std::vector<std::string> paths = flown.paths();
       const auto arbiter = flown.find(task_.votes->arbiter);
       if (!arbiter)
         refuse("votes: tree {} of {} has no node {}{}", quote(flown.name()), name,

@@ -113,15 +113,18 @@ std::optional<NodeIndex> AnyTree::find(std::string_view path) const {
   return std::nullopt;
 }
 
+std::vector<std::string> AnyTree::paths() const {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < size(); ++i)
+    all.push_back(path(static_cast<NodeIndex>(i)));
+  return all;
+}
+
 void AnyTree::put(std::string_view path, std::unique_ptr<AnyNode> by) {
   const std::optional<NodeIndex> at = find(path);
-  if (!at) {
-    std::vector<std::string> paths;
-    for (std::size_t i = 0; i < size(); ++i)
-      paths.push_back(this->path(static_cast<NodeIndex>(i)));
+  if (!at)
     throw std::logic_error(fmt::format("tree {} has no node {}{}", quote(name_), quote(path),
-                                       did_you_mean(path, paths)));
-  }
+                                       did_you_mean(path, paths())));
   EYRIE_THROW_UNLESS(by != nullptr, "a child is missing");
   if (by->label_.empty())
     by->set_label(std::string(node(*at).label()));

@@ -176,6 +176,8 @@ class AnyTree {
 
   /// "root/engage[1]/pursue": labels from the root down; siblings of one label are counted from 0.
   [[nodiscard]] std::string path(NodeIndex index) const;
+  /// Those of all its nodes, in pre-order.
+  [[nodiscard]] std::vector<std::string> paths() const;
   [[nodiscard]] std::optional<NodeIndex> find(std::string_view path) const;
 
  protected:

@@ -82,7 +82,7 @@ TEST(Extends, IsRefusedAtTheLineThatIsWrong) {
   };
   EXPECT_EQ(said("extends: ../secret.yaml\n"),
             "mine/x.yaml:1:10: 'secret.yaml' is outside the folder of the scenario and the "
-            "installation; --allow-include FOLDER allows it\n");
+            "installation; --allow-include FOLDER (in Python include=) allows it\n");
   EXPECT_EQ(said("extends: sweep\ninsert: {trees.wall.winner_takes_all: {gret: {vote: 3}}}\n"),
             "mine/x.yaml:2:40: there is no node 'gret'\n");
   EXPECT_EQ(said("extends: sweep\nremove: [trees.veteran.sequencer.trees.wvr]\n").substr(0, 84),

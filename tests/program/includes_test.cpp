@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSecret = "root:$6$secret:19000: [\n";
 constexpr const char* kOutside =
-    " is outside the folder of the scenario and the installation; --allow-include FOLDER allows "
-    "it\n";
+    " is outside the folder of the scenario and the installation; --allow-include FOLDER (in "
+    "Python include=) allows it\n";
 
 /// box/mine/x.yaml is the scenario; box/secret.yaml and box/other/ are none of its business.
 class Includes : public testing::Test {
