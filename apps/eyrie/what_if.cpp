@@ -8,9 +8,11 @@
 #include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"
+#include "core/text.hpp"
 #include "debrief/look.hpp"
 #include "debrief/moved_votes.hpp"
 #include "debrief/what_if.hpp"
+#include "disk/sink.hpp"
 #include "locate.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
@@ -175,6 +177,18 @@ void check_parts(const std::vector<std::string>& sets, const WhatIfOptions& opti
   }
 }
 
+/// The run with the files that overrides name, such as other networks, as they are now: they stand
+/// on the disk and not in the run file. Only who typed their names may read them by this.
+debrief::Recorded with_files_of(debrief::Recorded recorded, const std::vector<std::string>& sets) {
+  for (const std::string& set : sets) {
+    const std::string name = set.substr(std::min(set.size(), set.find('=') + 1));
+    const disk::FileRead read = disk::read_file(name, scenario::Source::kLargestBytes);
+    if (read.problem.empty())
+      recorded.run.files.insert_or_assign(name, base64(read.bytes));
+  }
+  return recorded;
+}
+
 }  // namespace
 
 int what_if(const WhatIfOptions& options) {
@@ -198,8 +212,8 @@ int what_if(const WhatIfOptions& options) {
         "eyrie: --at: flights over seeds begin at their start; only another tree can be asked of a "
         "time, without --seeds");
   wrong.throw_if_any();
-  const auto other =
-      debrief::with_overrides(recorded, overrides.sets, std::move(overrides.changes));
+  const auto other = debrief::with_overrides(with_files_of(recorded, options.sets), overrides.sets,
+                                             std::move(overrides.changes));
   if (asks_trees && other->all_trees().size() != recorded.scenario->all_trees().size())
     refuse("the change adds or removes a tree; change one that is there");
 

@@ -161,5 +161,29 @@ TEST(NodePaths, BranchWithANodeThatRemembersLess) {
   EXPECT_GT(said["branch"]["time_s"], 0) << said["branch"];
 }
 
+TEST(NodePaths, AskWhatIfAnotherNetworkFlew) {
+  const TempFolder folder;
+  EXPECT_EQ(run_program(folder, {"fly", "merge_learned", "--until", "20 s", "--no-debrief",
+                                 "--quiet", "--out", "a"})
+                .code,
+            0);
+  const auto ask = [&](const std::string& file) {
+    return run_program(folder, {"whatif", "a", "--player", "viper1", "--json", "--set",
+                                "root/policy.file=" + file});
+  };
+  std::string network = read_text(source_root() + "/scenarios/policies/merge.safetensors");
+  folder.write("same.safetensors", network);
+  for (std::size_t at = network.size() - 1; at > network.size() / 2; at -= 4)
+    network[at] = static_cast<char>(network[at] ^ 0x80);  // the sign of a number
+  folder.write("other.safetensors", network);
+  EXPECT_EQ(json::parse(ask("same.safetensors").out).at("different"), 0);
+  const json other = json::parse(ask("other.safetensors").out);
+  EXPECT_GT(other.at("different"), 100);
+  EXPECT_EQ(other.at("first").at("leader").at("other"), "policy");
+  const Ran none = ask("others.safetensors");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("cannot read 'others.safetensors'"), std::string::npos) << none.err;
+}
+
 }  // namespace
 }  // namespace eyrie::test
