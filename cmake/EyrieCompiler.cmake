@@ -47,7 +47,7 @@ if(EYRIE_SANITIZE)
   target_link_options(eyrie_options INTERFACE $<BUILD_INTERFACE:-fsanitize=${EYRIE_SANITIZE}>)
   target_compile_definitions(eyrie_options INTERFACE $<BUILD_INTERFACE:EYRIE_SANITIZED=1>)
 endif()
-target_compile_options(eyrie_options INTERFACE "$<BUILD_INTERFACE:${own_options}>")
+add_compile_options(${own_options})  # of this folder and those below: not of who adds Eyrie to his project
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -38,6 +38,8 @@ file(WRITE ${CMAKE_BINARY_DIR}/geographic/GeographicLib/Config.h
 target_include_directories(wasm_geographic SYSTEM BEFORE PUBLIC ${CMAKE_BINARY_DIR}/geographic ${geographic}/include)
 set(GeographicLib_LIBRARIES wasm_geographic)
 set_target_properties(wasm_yaml wasm_geographic PROPERTIES UNITY_BUILD OFF)
+target_compile_options(wasm_yaml PRIVATE -w)  # others' sources are not held to what Eyrie's are
+target_compile_options(wasm_geographic PRIVATE -w)
 
 set(RANDOM123_INCLUDE_DIR ${wasm_root}/include)
 set(XXHASH_INCLUDE_DIR ${wasm_root}/include)

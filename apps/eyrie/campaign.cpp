@@ -165,15 +165,15 @@ int campaign(const CampaignOptions& options) {
                                  estimate_text(standing.estimate->estimate(), measure.kind)));
     });
   }
-  store.finish();
+  constexpr std::array kEnds{"complete", "interrupted", "at the end of its budget"};
+  const char* const end = kEnds[static_cast<std::size_t>(ended)];
+  store.finish(options.part.empty() ? end : fmt::format("part {}, {}", options.part, end));
   const std::string log = fmt::format("{}/{}-wal", folder, kStoreName);
   if (std::error_code none; std::filesystem::exists(log, none))
     complain(
         "eyrie: {} belongs to {}: there was no room to put it in; --resume does, once there is\n",
         quote_path(log), kStoreName);
   const Summary summary = read_summary(folder);
-  constexpr std::array kEnds{"complete", "interrupted", "at the end of its budget"};
-  const char* const end = kEnds[static_cast<std::size_t>(ended)];
   std::uint64_t faults = 0;
   for (const auto& cell : summary.cells)
     faults += cell.faults;

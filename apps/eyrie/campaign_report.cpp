@@ -89,9 +89,9 @@ std::vector<Way> ways_to_draw(const CampaignReportOptions& options, const Summar
 std::string page_data(const std::string& folder, const Summary& summary,
                       const std::vector<Comparison>& comparisons, const std::vector<Way>& ways,
                       const std::string& no_debrief) {
-  Json json{{"name", summary.name},     {"scenario", summary.scenario},
-            {"hash", summary.hash},     {"factors", summary.factors},
-            {"paired", summary.paired}, {"debrief", no_debrief}};  // why none can be flown
+  Json json{{"name", summary.name},   {"scenario", summary.scenario}, {"hash", summary.hash},
+            {"ended", summary.ended}, {"factors", summary.factors},   {"paired", summary.paired},
+            {"debrief", no_debrief}};  // why none can be flown
   for (const char* list : {"measures", "cells", "comparisons", "effects", "interactions", "faults"})
     json[list] = Json::array();
   for (std::size_t i = 0; i < summary.measures.size(); ++i) {
@@ -203,6 +203,10 @@ int campaign_report(const CampaignReportOptions& options) {
     static_cast<void>(table_in(options.folder));
   const auto comparisons = compare(options.folder, summary, measure_named(options.of, summary));
   print_cells(summary);
+  if (summary.hash.empty())
+    say("not finished: it is being flown, or its program was killed\n");
+  else if (!summary.ended.empty() && summary.ended != "complete")
+    say("not the whole campaign: {}\n", summary.ended);
   print_comparisons(summary, comparisons, options.of.empty() ? 20 : comparisons.size());
   print_effects(summary, effects(summary), interactions(summary));
   say("\n");

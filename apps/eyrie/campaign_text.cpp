@@ -45,8 +45,12 @@ void print_cells(const campaign::Summary& summary) {
     auto& row = rows.emplace_back(1, std::to_string(c));
     row.insert(row.end(), cell.values.begin(), cell.values.end());
     row.push_back(std::to_string(cell.replicates));
-    for (std::size_t m = 0; m < summary.measures.size(); ++m)
-      row.push_back(estimate_text(cell.estimates[m], summary.measures[m].kind));
+    for (std::size_t m = 0; m < summary.measures.size(); ++m) {
+      const campaign::Estimate& e = cell.estimates[m];
+      row.push_back(estimate_text(e, summary.measures[m].kind));
+      if (e.value && e.n != cell.replicates - cell.faults)
+        row.back() += fmt::format(" of {}", e.n);  // to so many it applies
+    }
   }
   print_table(rows);
   if (summary.cells.size() > kMostRows)

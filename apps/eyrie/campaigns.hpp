@@ -66,10 +66,10 @@ void print_effects(const campaign::Summary& summary, const std::vector<campaign:
   return {number_or_null(i->low), number_or_null(i->high)};
 }
 
-/// [value, low, high], null for what there is not.
+/// [value, low, high, n], null for what there is not; n replicates have the measure.
 [[nodiscard]] inline nlohmann::ordered_json estimate_json(const campaign::Estimate& e) {
   const nlohmann::ordered_json ends = interval_json(e.interval);
-  return {e.value ? number_or_null(*e.value) : nullptr, ends[0], ends[1]};
+  return {e.value ? number_or_null(*e.value) : nullptr, ends[0], ends[1], e.n};
 }
 
 }  // namespace eyrie::app

@@ -53,6 +53,13 @@ bool is_nameable(const std::string& name) {
          printable(name) == name;
 }
 
+std::string as_html(std::string_view text) {
+  std::string html;
+  for (const char c : text)
+    html += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  return html;
+}
+
 /// "a%20b" is "a b".
 std::string unescaped(std::string_view text) {
   std::string out;
@@ -135,7 +142,8 @@ std::optional<net::WebPage> debrief_at(std::string_view target) {
 
 }  // namespace
 
-void Home::furnish(net::WebOptions& site) {
+void Home::furnish(net::WebOptions& site, std::string_view problem) {
+  static_cast<void>(wishes_.take());  // of who was here before the flight that is over
   if (names_.empty()) {
     names_ = names_in("scenarios");
     Object all = Object::array();
@@ -143,7 +151,10 @@ void Home::furnish(net::WebOptions& site) {
       all.push_back(about(name));
     scenarios_ = text_of(all);
   }
-  site.pages["/"] = {kHtml, kHomePage};
+  std::string page(kHomePage);
+  constexpr std::string_view kMark = "@PROBLEM@";
+  page.replace(page.find(kMark), kMark.size(), as_html(problem));
+  site.pages["/"] = {kHtml, std::move(page)};
   site.pages["/api/scenarios"] = {kJson, scenarios_};
   site.pages["/api/schema"] = {
       kJson,
@@ -200,7 +211,6 @@ std::string Home::problem(const Wish& wish, Choice& chosen) const {
 }
 
 std::optional<Choice> Home::ask(net::WebHost& host) {
-  static_cast<void>(wishes_.take());  // of who was here before the flight that is over
   while (!interrupted()) {
     std::optional<Choice> taken;
     for (const Wish& wish : wishes_.take()) {

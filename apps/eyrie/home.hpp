@@ -26,7 +26,8 @@ class Home {
   /// `linked`: others are heard by DIS; `ours`: an override that holds for each scenario, or none.
   Home(bool linked, std::vector<std::string> ours) : linked_(linked), ours_(std::move(ours)) {}
   /// The thread of the network uses it as long as there is a host of that site.
-  void furnish(net::WebOptions& site);
+  /// `problem`: why what was chosen last could not be flown, or "".
+  void furnish(net::WebOptions& site, std::string_view problem);
   /// Until somebody has chosen a scenario that can be flown; nothing if it was interrupted.
   [[nodiscard]] std::optional<Choice> ask(net::WebHost& host);
 

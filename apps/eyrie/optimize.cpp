@@ -90,20 +90,23 @@ Json end_json(const Search& search, const std::string& folder, const std::option
 
 /// A row per measure.
 std::string evidence_text(const Search& search, const std::vector<Evidence>& all) {
-  std::string text =
-      fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8}\n", counted(search.proof, "seed") + " each",
-                  "before", "after", "difference", "p");
+  std::string text = fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8} {:>8}\n",
+                                 counted(search.proof, "seed") + " each", "before", "after",
+                                 "difference", "pairs", "p");
   for (const Evidence& e : all) {
     const auto& d = e.difference;
+    const auto shown = [&](const Estimate& of) {
+      return estimate_text(of, e.measure.kind) +
+             (of.value && of.n != search.proof ? fmt::format(" of {}", of.n) : "");
+    };
     const std::string difference = !d ? "-"
                                    : d->interval
                                        ? fmt::format("{:+.4g} ({:+.4g} to {:+.4g})", d->value,
                                                      d->interval->low, d->interval->high)
                                        : fmt::format("{:+.4g} (no bounds)", d->value);
-    text +=
-        fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8}\n", e.measure.name,
-                    estimate_text(e.before, e.measure.kind), estimate_text(e.after, e.measure.kind),
-                    difference, d ? fmt::format("{:.2g}", d->p) : "-");
+    text += fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8} {:>8}\n", e.measure.name,
+                        shown(e.before), shown(e.after), difference, d ? d->n : 0,
+                        d ? fmt::format("{:.2g}", d->p) : "-");
   }
   return text;
 }

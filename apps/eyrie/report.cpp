@@ -61,7 +61,9 @@ void Ends::observe(const sim::World& world, const sim::StepInfo&,
   for (const auto& fleet : scenario_.fleets)
     for (std::uint32_t row = 0; row < fleet->rows(world); ++row)
       if (const PlayerId who = fleet->id(world, row); scenario_.roster.find(who))
-        players_[who.value - 1].fuel = fleet->gauges(world, row).fuel;
+        players_[who.value - 1] = {.fuel = fleet->gauges(world, row).fuel,
+                                   .by = std::move(players_[who.value - 1].by),
+                                   .here = !model::is_nowhere(fleet->motion(world, row))};
 }
 
 void Report::table(const record::Tally& tally, const Ends& ends) const {
@@ -76,9 +78,10 @@ void Report::table(const record::Tally& tally, const Ends& ends) const {
     const auto& p = tally.players()[i];
     const auto& who = scenario_.roster.players[i];
     const Ends::OfPlayer& end = ends.players()[i];
-    const std::string how = p.lost   ? "lost " + record::clock_text(p.end_time)
-                            : p.home ? "home " + record::clock_text(p.end_time)
-                                     : std::string(scenario_.fleets[who.fleet]->words.there);
+    const std::string how = p.lost      ? "lost " + record::clock_text(p.end_time)
+                            : p.home    ? "home " + record::clock_text(p.end_time)
+                            : !end.here ? "not heard of"
+                                        : std::string(scenario_.fleets[who.fleet]->words.there);
     const std::string line =
         shown(" {:<5} {:>5} {:>5}  {:<14} {:>9}  {:<{}} {}", scenario::side_name(who.side), p.shots,
               p.kills, how, end.fuel ? format_quantity(*end.fuel, Dimension::mass) : "-", p.phase,

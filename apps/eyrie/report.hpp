@@ -33,6 +33,7 @@ class Ends final : public sim::Observer {
   struct OfPlayer {
     std::optional<double> fuel = {};  ///< kg
     std::string by = {};              ///< "eagle1's AMRAAM from 12.1 nmi"
+    bool here = true;                 ///< not one of another program that has fallen silent
   };
   explicit Ends(const scenario::Scenario& scenario)
       : scenario_(scenario), players_(scenario.roster.players.size()) {}

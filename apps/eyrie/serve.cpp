@@ -172,9 +172,11 @@ int serve_home(const ServeOptions& options) {
   listen_for_interrupts();
   Place place(options);
   Home home(!options.flight.dis.empty(), overrides(options.flight));
+  std::string problem;
   for (int code = 0;;) {
     net::WebOptions web = site(place, "");
-    home.furnish(web);
+    home.furnish(web, problem);
+    problem.clear();
     std::optional<Choice> chosen;
     {
       const auto pages = listening(place, [&] { return std::make_unique<Pages>(web); });
@@ -184,7 +186,12 @@ int serve_home(const ServeOptions& options) {
       return code;
     FlyOptions flight = options.flight;
     flight.seed = chosen->seed;
-    code = serve_mission(place, options, flight, chosen->scenario, true);
+    try {
+      code = serve_mission(place, options, flight, chosen->scenario, true);
+    } catch (const std::exception& error) {  // such as a port that somebody else has taken since
+      problem = words_for(error);
+      complain("{}\n", problem);
+    }
   }
 }
 

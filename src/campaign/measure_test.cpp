@@ -98,6 +98,7 @@ first: {what: event, event: launch, who: blue, take: first, value: range}
 shots: {what: event, event: launch, who: blue, take: sum, value: range}
 far: {what: event, event: launch, if: range > 500 nmi, take: any}
 none: {what: event, event: launch, if: range > 500 nmi, take: last}
+felled: {what: event, event: detonation, take: last, value: whom.altitude}
 nearest: {what: event, event: launch, whom: red, take: least, value: enemy_range}
 pursuit: {what: decision, node: pursue, who: eagle1, take: first}
 height: {what: decision, node: pursue, who: eagle1, take: last, value: altitude}
@@ -142,6 +143,7 @@ pressed: {what: decision, node: pursue, if: missile_range < 0.001 nmi, take: any
   EXPECT_EQ(v.at("shots"), sum);
   EXPECT_EQ(v.at("far"), 0);
   EXPECT_TRUE(std::isnan(v.at("none")));
+  EXPECT_TRUE(std::isnan(v.at("felled"))) << "who is killed by the last one has none";
   EXPECT_LE(v.at("nearest"), first + 1000) << "the nearest enemy is hardly farther than the target";
   EXPECT_EQ(v.at("pursuit"), log.first_pursuit);
   EXPECT_NEAR(v.at("height"), log.altitude, 50) << "at the last decision, not at the last step";

@@ -327,7 +327,8 @@ void Query::take(const Case& c) {
     return;
   }
   const double value = field(c, value_);
-  if (std::isnan(value))
+  // of the first or last event, also where that has none: another one's would be taken for it
+  if (std::isnan(value) && spec_.take != Take::first && spec_.take != Take::last)
     return;
   const bool is_first = count_++ == 0;
   switch (spec_.take) {

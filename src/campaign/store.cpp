@@ -29,7 +29,7 @@ CREATE TABLE faults (cell INTEGER, replicate INTEGER, seed INTEGER, what TEXT, c
 )";
 
 /// Before results are added, of which the hash is another one.
-constexpr const char* kBegin = "BEGIN; DELETE FROM campaign WHERE name = 'hash'";
+constexpr const char* kBegin = "BEGIN; DELETE FROM campaign WHERE name IN ('hash', 'ended')";
 
 constexpr std::array kOfReplicates{"cell",   "replicate", "seed", "outcome",
                                    "time_s", "steps",     "hash"};
@@ -371,9 +371,10 @@ std::uint64_t Store::hash() {
   return hash_of(*database_);
 }
 
-void Store::finish() {
+void Store::finish(const std::string& ended) {
   flush();
   set("hash", hash_text(hash()));
+  set("ended", ended);
   write_table(*database_, folder_);
   put_.reset();
   put_fault_.reset();

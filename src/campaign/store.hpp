@@ -59,7 +59,7 @@ class Store {
   [[nodiscard]] std::uint64_t hash();
 
   /// Writes all results as a table beside the database, and leaves that in one file.
-  void finish();
+  void finish(const std::string& ended);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -39,7 +39,7 @@ TEST_F(StoreTest, GivesBackWhatWasPutInByCellAndReplicate) {
     Store store = open(false);
     put(store, 2, 3);
     put(store, 0, 20);
-    store.finish();
+    store.finish("complete");
   }
   Store store = open();
   EXPECT_EQ(store.counts(), (std::vector<std::uint64_t>{20, 0, 3}));
@@ -67,7 +67,7 @@ TEST_F(StoreTest, WritesATableWithARowForEachReplicate) {
   {
     Store store = open(false);
     put(store, 1, 17);
-    store.finish();
+    store.finish("complete");
   }
   EXPECT_EQ(folder.everything(),
             (std::vector<std::string>{"out", "out/results.csv", "out/results.db"}));
@@ -162,7 +162,7 @@ TEST_F(StoreTest, IsCompleteThoughSomebodyIsReading) {
     Database reader(folder / "out/results.db", Database::Access::read);
     Statement rows = reader.prepare("SELECT * FROM replicates");
     ASSERT_TRUE(rows.step());
-    store.finish();
+    store.finish("complete");
   }
   EXPECT_TRUE(std::filesystem::exists(folder / "out/results.csv"));
   Database results = open_results(folder / "out");
@@ -193,7 +193,7 @@ TEST_F(StoreTest, HasNoHashWhileResultsAreAdded) {
   {
     Store store = open(false);
     put(store, 0, 3);
-    store.finish();
+    store.finish("complete");
   }
   const auto hashes = [&] {
     Database database = open_results(folder / "out");
@@ -206,7 +206,7 @@ TEST_F(StoreTest, HasNoHashWhileResultsAreAdded) {
   put(store, 0, 1);
   store.flush();
   EXPECT_EQ(hashes(), "");
-  store.finish();
+  store.finish("complete");
   EXPECT_EQ(hashes(), hash_text(store.hash()));
 }
 

@@ -40,7 +40,8 @@ Summary read_summary(const std::string& folder, double confidence) {
       summary.seconds = said.number(1);
     for (const auto& [name, text] : {std::pair{"name", &summary.name},
                                      {"scenario", &summary.scenario},
-                                     {"hash", &summary.hash}})
+                                     {"hash", &summary.hash},
+                                     {"ended", &summary.ended}})
       if (key == name)
         *text = said.text(1);
   }

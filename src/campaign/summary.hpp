@@ -21,8 +21,10 @@ struct Summary {
     std::string what, command;
   };
 
-  std::string name, scenario, hash;  ///< hash: of all results; "" while it is being flown
-  double seconds = 0;                ///< on the clock
+  std::string name, scenario;
+  std::string hash;    ///< of all results; "" while it is being flown
+  std::string ended;   ///< "complete", "part 1/3, interrupted", as Store::finish() was told
+  double seconds = 0;  ///< on the clock
   std::vector<std::string> factors;
   std::vector<Measure> measures;
   std::vector<std::string> units;  ///< by measure

@@ -9,7 +9,7 @@ namespace eyrie {
 struct YamlLimits {
   std::size_t bytes = std::size_t{16} << 20;
   std::size_t nodes = 200'000;  ///< after aliases are expanded; and again of what anchors keep
-  std::size_t depth = 100;
+  std::size_t depth = 256;
 };
 
 /// Reads one YAML document. `file` is the name that errors carry. Aliases are expanded (counted

@@ -112,8 +112,8 @@ TEST(Yaml, PlacesAMissingValueAtItsKey) {
 }
 
 TEST(Yaml, RefusesDeepNesting) {
-  EXPECT_EQ(mistakes(std::string(101, '[') + std::string(101, ']')),
-            "a.yaml:1:101: nested deeper than 100 levels");
+  EXPECT_EQ(mistakes(std::string(257, '[') + std::string(257, ']')),
+            "a.yaml:1:257: nested deeper than 256 levels");
   EXPECT_NE(mistakes(std::string(200'000, '[')), "");
 }
 

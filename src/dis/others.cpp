@@ -51,11 +51,21 @@ std::vector<sim::Order> Others::orders(const sim::World& world, double clock) {
               side, 0);
       follow(now, entity, state, entity.valid);
     }
-  // of many of one entity the newest: what is kept of the exercise grows with its steps alone
-  for (auto& [id, entity] : entities_)
-    if (const auto said = std::exchange(entity.said, std::nullopt);
-        said && entity.who && !entity.gone)
+  // of many of one entity the newest, and one in each step, for how long ever that is waited for:
+  // what is kept of the exercise grows with its steps alone
+  for (auto& [id, entity] : entities_) {
+    if (!entity.who || entity.gone)
+      entity.said.reset();
+    if (entity.said && entity.followed == world.step())
+      entity.heard = clock;
+    else if (const auto said = std::exchange(entity.said, std::nullopt))
       follow(now, entity, *said, entity.said_valid);
+    if (entity.radiates && entity.radiated != world.step()) {
+      entity.radiated = world.step();
+      entity.radiates = false;
+      give(now, entity.who, RemoteOrder::beam, entity.beam);
+    }
+  }
   for (auto& [id, entity] : entities_)
     if (entity.here && rate_ * (clock - entity.heard) > station_.thresholds.timeout()) {
       leave(now, entity, model::RemoteEnd::vanished);
@@ -219,6 +229,7 @@ void Others::follow(const Now& now, Entity& entity, const EntityState& state, do
     incoming_.counts.error.add(
         norm(motion.position -
              reckon(entity.reckoning, entity.last, rate_ * (valid - entity.valid)).position));
+  entity.followed = now.world.step();
   entity.last = motion;
   entity.valid = valid;
   entity.reckoning = state.reckoning;
@@ -336,7 +347,7 @@ void Others::take(const Now& now, double, const Detonation& end) {
                                .ending = static_cast<std::uint8_t>(ending_of(end.result))});
 }
 
-void Others::take(const Now& now, double, const Emission& emission) {
+void Others::take(const Now&, double, const Emission& emission) {
   ++incoming_.counts.emissions;
   const auto at = entities_.find(emission.emitter);
   if (at == entities_.end() || !at->second.who || at->second.gone)
@@ -363,7 +374,7 @@ void Others::take(const Now& now, double, const Emission& emission) {
   if (std::memcmp(&beam, &entity.beam, sizeof beam) == 0)
     return;
   entity.beam = beam;
-  give(now, entity.who, RemoteOrder::beam, beam);
+  entity.radiates = true;
 }
 
 void Others::take(const Now&, double, const StartResume& start) {

@@ -46,11 +46,13 @@ class Others {
     PlayerId who{};              ///< none: it has no place
     std::uint16_t munition = 0;  ///< 1 + index of the MissileType; 0: it is none
     bool here = false, gone = false, namesake = false;
+    bool radiates = false;             ///< `beam` is new
     double heard = 0;                  ///< s since 1970, when it was last put where it is
     double named = 0;                  ///< s since 1970, when anybody last spoke of it
     double fired = 0;                  ///< s since 1970, when its Fire came
     std::optional<EntityState> early;  ///< of a missile whose Fire has not come
     std::optional<EntityState> said;   ///< the newest of those that came since the last step
+    std::optional<std::uint64_t> followed, radiated;  ///< the last steps that have orders of it
     Motion last;
     double valid = 0;       ///< s since 1970, of `last`
     double said_valid = 0;  ///< and of `said`

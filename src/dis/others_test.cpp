@@ -7,6 +7,7 @@
 
 #include "core/draw.hpp"
 #include "dis/announcer.hpp"
+#include "record/acmi.hpp"
 #include "sim/trail.hpp"
 #include "support/flight.hpp"
 
@@ -181,6 +182,14 @@ TEST(Others, KeepOneStateOfEachInAStepHoweverManyCome) {
                 kStart + 6 + i * 1e-4);
   }
   EXPECT_EQ(others.orders(both.blue.flight.world(), kStart + 7).size(), 3u);
+  // and no more while that step is waited for
+  for (int i = 0; i < 50; ++i) {
+    others.hear(encode({.timestamp = timestamp_at(8 + i), .pdu = state}), kStart + 8 + i);
+    EXPECT_TRUE(others.orders(both.blue.flight.world(), kStart + 8 + i).empty());
+  }
+  EXPECT_EQ(others.counts().vanished, 0u);
+  both.blue.flight.mission.step();
+  EXPECT_EQ(others.orders(both.blue.flight.world(), kStart + 58).size(), 3u);
 }
 
 /// A missile of bandit1 as another program tells it, s after the mission began.
@@ -293,6 +302,37 @@ TEST(Announcer, TellsThatEverybodyStandsStill) {
   const auto& state = std::get<EntityState>(read.packet.pdu);
   EXPECT_EQ(state.appearance, kFrozen);
   EXPECT_EQ(norm(wide(state.velocity)), 0);
+}
+
+TEST(Others, AreGoneFromTheRecordingUntilTheyAreHeardOfAgain) {
+  Both both("merge");
+  std::string acmi;
+  record::AcmiWriter writer(*both.blue.flight.scenario,
+                            [&](std::string_view lines) { acmi += lines; });
+  both.blue.flight.mission.run().attach(writer);
+  const auto count = [&](const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = acmi.find(what); at != acmi.npos; at = acmi.find(what, at + 1))
+      ++n;
+    return n;
+  };
+  const auto fly = [&](double until, bool is_heard) {
+    while (both.blue.flight.mission.run().time() < until) {
+      both.blue.step();
+      both.red.step();
+      if (is_heard)
+        both.red.deliver(both.blue);
+      both.red.sent.clear();
+    }
+  };
+  fly(5, true);
+  fly(30, false);
+  EXPECT_EQ(count("\n-2\n"), 1u);
+  EXPECT_EQ(count("\n-1\n"), 0u);
+  fly(40, true);
+  both.blue.flight.mission.run().finish();
+  EXPECT_EQ(count("\n-2\n"), 1u);
+  EXPECT_EQ(count(",Pilot=bandit1,"), 2u) << acmi.substr(0, 2000);
 }
 
 }  // namespace

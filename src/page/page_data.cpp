@@ -300,6 +300,7 @@ class Writer final : public Packer {
                 {"type", p.label},
                 {"model", p.type},
                 {"flight", p.flight},
+                {"remote", p.remote},
                 {"radar", radar(p.type)}});
     const auto& [decisions, sights] = agents_[index];
     j["decisions"] = taken_ && decisions.empty() ? Json() : decisions.json(bytes);

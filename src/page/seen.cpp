@@ -167,6 +167,7 @@ void Motions::look(const sim::World& world, bool players, bool missiles) {
     Flown& player = players_[id.value - 1];
     if (!player.born)
       player.born = time_;
+    player.heard = time_;
     player.last = fleet.motion(world, row);
     player.last_fuel = fleet.gauges(world, row).fuel.value_or(ubf::kNoValue);
     if (players)
@@ -284,7 +285,12 @@ void Motions::forget() {
 
 Json Motions::player(std::size_t index, ColumnBytes& bytes) const {
   const Flown& p = players_[index];
-  Json j{{"born", p.born.value_or(0)}, {"gone", p.gone.value_or(time_)}, {"end", p.end}};
+  constexpr double kNever = 1e9;
+  const double heard = p.born ? p.heard : kNever;
+  const bool is_away = !p.gone && p.born && heard < time_;
+  Json j{{"born", p.born.value_or(p.gone ? 0 : kNever)},
+         {"gone", p.gone.value_or(heard)},
+         {"end", is_away ? "unheard" : p.end}};
   j["motion"] = p.motion.json(bytes);
   j["gauges"] = p.gauges.json(bytes);
   return j;

@@ -110,6 +110,7 @@ class Motions final : public sim::Observer {
   struct Flown : Mover {
     Columns gauges{{"speed", 0.1}, {"mach", 1e-3}, {"load_factor", 0.01}, {"fuel", 1}};
     double last_fuel = 0;
+    double heard = 0;  ///< s, when it was last there: another program may fall silent
   };
   struct Missile : Mover {
     std::string type;

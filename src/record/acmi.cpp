@@ -58,11 +58,9 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
       degrees(wrap_pi(origin.longitude)), degrees(origin.latitude));
   step_ = world.step();
   time_ = static_cast<double>(step_) * dt;
-  for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i) {
-    const auto& player = scenario_.roster.players[i];
-    const PlayerId id{static_cast<std::uint32_t>(i + 1)};
-    objects_.try_emplace(id.value, id, introduction(player, scenario_.fleet_of(id).words.acmi));
-  }
+  for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i)
+    introduce(PlayerId{static_cast<std::uint32_t>(i + 1)});
+  there_.assign(scenario_.roster.players.size(), false);
   see_players(world);
   write_lines();
   pass(world);
@@ -73,7 +71,27 @@ void AcmiWriter::see(PlayerId id, AcmiSample sample) {
     at->second.see(std::move(sample));
 }
 
+void AcmiWriter::introduce(PlayerId id) {
+  objects_.try_emplace(id.value, id,
+                       introduction(*scenario_.roster.find(id), scenario_.fleet_of(id).words.acmi));
+}
+
 void AcmiWriter::see_players(const sim::World& world) {
+  std::vector<bool> there(there_.size());
+  scenario_.each_player(
+      world, [&](const scenario::Fleet&, PlayerId id, std::size_t) { there[id.value - 1] = true; });
+  // who is flown by another program is gone while that is not heard of, and may come back
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const PlayerId id{static_cast<std::uint32_t>(i + 1)};
+    if (there_[i] && !there[i])
+      gone(id);
+    const auto at = objects_.find(id.value);
+    if (there[i] && at != objects_.end() && at->second.gone())
+      write_lines();
+    if (there[i])
+      introduce(id);
+  }
+  there_ = std::move(there);
   scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
     see(id, player(fleet, world, row));
   });

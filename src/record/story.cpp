@@ -95,7 +95,9 @@ void Story::shot(const sim::Event& e) {
   const auto& shelf = scenario_.library->missiles;
   const bool active =
       store < shelf.size() && shelf[store].seeker.kind == model::weapon::SeekerKind::radar;
-  decided_ = released_[{shooter, e.values[1]}];
+  // of another program it is not known when that was decided
+  if (const auto at = released_.find({shooter, e.values[1]}); at != released_.end())
+    decided_ = at->second;
   say(shooter, fmt::format("{} on {}, {} ({})", active ? "fox 3" : "fox 2", name(e.whom),
                            miles(e.values[0]), store_label(scenario_, e.values[1])));
 }

@@ -110,9 +110,9 @@ class AircraftFleet final : public Fleet {
   }
   [[nodiscard]] Gauges gauges(const sim::World& world, std::size_t row) const override {
     const model::Kinematics& k = motion(world, row);
-    Gauges gauges{.mach = k.mach,
-                  .load_factor = k.load_factor,
-                  .fuel = world.rows(columns_.propulsion)[row].fuel};
+    Gauges gauges{.mach = k.mach, .load_factor = k.load_factor};
+    if (!world.rows(columns_.fit)[row].remote)  // nobody tells what others have
+      gauges.fuel = world.rows(columns_.propulsion)[row].fuel;
     const auto& tracks = world.rows(columns_.tracks)[row];
     const TrackId target = world.rows(columns_.request)[row].target;
     for (std::uint32_t i = 0; i < tracks.count; ++i)

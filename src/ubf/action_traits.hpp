@@ -39,6 +39,11 @@ struct ActionField {
   Unit unit;
   Plausible plausible{};
 
+  /// A direction in [0, 2 pi) as the field has it, which may count from -pi.
+  [[nodiscard]] constexpr T as_counted(T direction) const {
+    const double x = static_cast<double>(direction);
+    return x > plausible.most && plausible.holds(x - kTau) ? static_cast<T>(x - kTau) : direction;
+  }
   /// Whether what stands there means something. Of a value that is no number itself its own
   /// `implausible_part(value)` says that, if there is such a function.
   [[nodiscard]] constexpr bool is_plausible(const T& value) const {
@@ -169,9 +174,13 @@ constexpr ActionFieldInfo action_field() {
         return 1;
     },
     .set = [](void* action, std::optional<double> value) {
-      if constexpr (Field::is_real)
-        member_of<Action, I>(*static_cast<Action*>(action)) =
-            value ? std::optional(static_cast<T>(*value)) : std::nullopt;
+      if constexpr (Field::is_real) {
+        auto& member = member_of<Action, I>(*static_cast<Action*>(action));
+        member = value ? std::optional(static_cast<T>(*value)) : std::nullopt;
+        if constexpr (Field::is_direction)
+          if (member)
+            member = line<I>(kFieldLines<Action>).as_counted(*member);
+      }
     }
 };  // namespace detail
 }  // namespace eyrie::ubf

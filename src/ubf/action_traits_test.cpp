@@ -24,6 +24,11 @@ struct Padded {
 struct Doubled {
   std::optional<bool> fire, flare;
 };
+/// Directions that are counted in other ways.
+struct Turning {
+  std::optional<double> turn;
+  std::optional<float> course;
+};
 /// A member that is no optional.
 struct Plain {
   std::optional<double> heading;
@@ -50,6 +55,12 @@ struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Doubled> {
                  field<blend::Strongest>("flare", &testing::Doubled::fire)};
 };
 template <>
+struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Turning> {
+  static constexpr auto fields =
+      std::tuple{field<blend::Angle>("turn", &testing::Turning::turn, "rad", {-kPi, kPi}),
+                 field<blend::Angle>("course", &testing::Turning::course, "rad", {0, kTau})};
+};
+template <>
 struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Plain> {
   static constexpr auto fields =
       std::tuple{field<blend::Angle>("heading", &testing::Plain::heading, "rad")};
@@ -57,6 +68,9 @@ struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Plain> {
 
 namespace eyrie::ubf::testing {
 namespace {
+
+template <class Field>
+using TurningSum = typename Field::Sum;
 
 const Action kFull{.heading = 1, .altitude = 2, .speed = 3.0F, .release = 4, .mode = 5};
 
@@ -122,6 +136,19 @@ TEST(ActionTraits, HashesWhatIsSetAndItsValue) {
   EXPECT_EQ(hash({.heading = 1}), hash({.heading = 1}));
   EXPECT_NE(hash({.heading = 1}), hash({.altitude = 1}));
   EXPECT_NE(hash({.release = 0}), hash({}));
+}
+
+TEST(ActionFields, CountDirectionsAsTheirRangeDoes) {
+  FieldSums<Turning, TurningSum> sums;
+  const auto heavy = [](const auto&) { return 3.0; };
+  sums.add({.turn = -0.2, .course = 6.2831850F}, [](const auto&) { return 1.0; });
+  sums.add({.turn = -0.4, .course = 0.0F}, heavy);
+  Turning blended;
+  sums.get(blended);
+  EXPECT_NEAR(*blended.turn, -0.35, 0.001);
+  EXPECT_EQ(implausible_field(blended), kFields<Turning>) << implausible_text(blended, 1);
+  action_fields<Turning>()[0].set(&blended, wrap_tau(-0.2));
+  EXPECT_NEAR(*blended.turn, -0.2, 1e-12);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ Status tick_agent(const Trees<State, Action>& trees, Brain<Bytes>& brain, Tick<S
                   Proposal<Action>& out) {
   EYRIE_ASSERT(brain.tree < trees.size());
   const auto& tree = trees[brain.tree];
-  EYRIE_ASSERT(tree.memory_bytes() <= Bytes);
+  EYRIE_DEMAND(tree.memory_bytes() <= Bytes, "a brain smaller than the memory of its tree");
   tick.memory = brain.memory.data();
   return tree.tick(tick, out);
 }

@@ -81,5 +81,13 @@ TEST(Agent, SwappedToTheTreeItUsesStartsAnew) {
   EXPECT_TRUE(is_fresh(brain));
 }
 
+TEST(TickAgentDeathTest, DemandsABrainThatIsLargeEnough) {
+  const RobotTrees trees = two_trees();
+  Brain<8> small{.tree = 1};
+  RobotProposal out;
+  EXPECT_DEATH(static_cast<void>(tick_agent(trees, small, RobotTick{.state = State{}}, out)),
+               "smaller than the memory");
+}
+
 }  // namespace
 }  // namespace eyrie::ubf::testing

@@ -217,7 +217,9 @@ namespace detail {
 
 template <class B>
 [[nodiscard]] consteval NodeType node_type() {
-  NodeType type{.name = B::type_name, .kind = kind_of<B>()};
+  NodeType type;
+  type.name = B::type_name;
+  type.kind = kind_of<B>();
   if constexpr (requires { B::help; })
     type.help = B::help;
   if constexpr (requires { B::text_key; })

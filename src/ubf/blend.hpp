@@ -66,7 +66,8 @@ struct Angle {
       if (alone_)
         return static_cast<T>(first_);
       const bool cancels = east_ * east_ + north_ * north_ <= 1e-18 * weight_ * weight_;
-      return static_cast<T>(wrap_tau(cancels ? strongest_ : math::atan2(east_, north_)));
+      const T x = static_cast<T>(wrap_tau(cancels ? strongest_ : math::atan2(east_, north_)));
+      return static_cast<double>(x) < kTau ? x : T{0};  // a float is rounded up to it
     }
 
    private:

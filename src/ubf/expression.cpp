@@ -336,7 +336,7 @@ bool looks_like_expression(std::string_view text) {
   for (const std::string_view word : {" and ", " or ", "\u2264", "\u2265", "\u2260"})
     if (text.find(word) != text.npos)
       return true;
-  return false;
+  return text.ends_with(" and") || text.ends_with(" or");
 }
 
 }  // namespace eyrie::ubf

@@ -78,8 +78,12 @@ class FieldSums {
     });
   }
   void get(Action& action) const {
-    for_each_field<Action>(
-        [&](const auto& f, auto i) { action.*f.member = std::get<i>(sums_).get(); });
+    for_each_field<Action>([&]<class Field>(const Field& f, auto i) {
+      action.*f.member = std::get<i>(sums_).get();
+      if constexpr (Field::is_direction)
+        if (action.*f.member)
+          action.*f.member = f.as_counted(*(action.*f.member));
+    });
   }
 
  private:

@@ -2,6 +2,9 @@
 #include "ubf/node.hpp"
 
 #include <algorithm>
+#include <map>
+
+#include "ubf/spec.hpp"
 
 namespace eyrie::ubf {
 namespace {
@@ -41,6 +44,9 @@ std::vector<std::string> AnyNode::problems() const {
   if (vote_curve_)
     if (std::string own = vote_curve_->problem(); !own.empty())
       problems.push_back(std::move(own));
+  if (!label_.empty())
+    if (const auto wrong = label_problem(label_))
+      problems.push_back("its label " + *wrong);
   const std::size_t count = children_.size(), slots = type_->child_keys.size();
   if (std::find(children_.begin(), children_.end(), nullptr) != children_.end())
     problems.push_back("a child is missing");
@@ -48,10 +54,10 @@ std::vector<std::string> AnyNode::problems() const {
     problems.push_back(fmt::format("takes exactly '{}', but has {} {}",
                                    fmt::join(type_->child_keys, "', '"), count,
                                    count == 1 ? "child" : "children"));
-  else if (std::string own = problem(); !own.empty())
-    problems.push_back(std::move(own));
   else if (node_kind() >= Kind::arbiter && count == 0)
     problems.push_back("needs at least one child");
+  else if (std::string own = problem(); !own.empty())
+    problems.push_back(std::move(own));
   return problems;
 }
 
@@ -86,6 +92,13 @@ void AnyTree::place(AnyNode& node, NodeIndex parent, std::size_t depth) {
   for (const auto& child : node.children())
     if (child)
       place(*child, node.index_, depth + 1);
+  std::map<std::string_view, std::vector<NodeIndex>> alike;
+  for (const auto& child : node.children())
+    if (child)
+      alike[child->label()].push_back(child->index());
+  for (const auto& [label, siblings] : alike)
+    for (std::size_t i = 0; siblings.size() > 1 && i < siblings.size(); ++i)
+      nodes_[siblings[i]].among = static_cast<NodeIndex>(i);
   node.end_index_ = static_cast<NodeIndex>(nodes_.size());
   node.memory_end_ = static_cast<std::uint32_t>(memory_);
 }
@@ -93,17 +106,9 @@ void AnyTree::place(AnyNode& node, NodeIndex parent, std::size_t depth) {
 std::string AnyTree::path(NodeIndex index) const {
   if (index == 0)
     return "root";
-  const NodeIndex up = parent(index);
-  const std::string_view label = node(index).label();
-  std::size_t same = 0, before = 0;
-  for (const auto& sibling : node(up).children()) {
-    if (!sibling || sibling->label() != label)
-      continue;
-    before += sibling->index() < index;
-    ++same;
-  }
-  std::string text = fmt::format("{}/{}", path(up), label);
-  return same > 1 ? fmt::format("{}[{}]", text, before) : text;
+  const Place& it = nodes_[index];
+  std::string text = fmt::format("{}/{}", path(it.parent), it.node->label());
+  return it.among == kNone ? text : fmt::format("{}[{}]", text, it.among);
 }
 
 std::optional<NodeIndex> AnyTree::find(std::string_view path) const {

@@ -188,6 +188,7 @@ class AnyTree {
     const AnyNode* node;
     NodeIndex parent;
     std::uint16_t depth;
+    NodeIndex among = kNone;  ///< which of the siblings of its label it is, kNone: the only one
   };
   void lay_out();
   void place(AnyNode& node, NodeIndex parent, std::size_t depth);

@@ -31,6 +31,7 @@ const NodeInfo* AnyRegistry::find(std::string_view name) const {
 void AnyRegistry::add(const NodeType& type, std::string origin) {
   EYRIE_THROW_UNLESS(type.name != kTreeReference && !find(type.name),
                      "two types of node have the same name");
+  EYRIE_THROW_UNLESS(type.make != nullptr, "a type that files name is made without arguments");
   // of a type that is made at run time only its nodes know the defaults
   const std::shared_ptr<void> fresh = type.parameters->fresh ? type.parameters->fresh() : nullptr;
   const std::unique_ptr<AnyNode> node = fresh ? nullptr : type.make(type);

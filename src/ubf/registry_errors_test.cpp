@@ -250,5 +250,34 @@ TEST(RegistryErrors, ADefaultOutOfItsRangeIsToldInLinesOfItsOwn) {
   EXPECT_EQ(said("{selector: [{loud: {vote: 3}}]}"), "");
 }
 
+TEST(RegistryErrors, ADefaultThatContainsItselfIsRefusedWithTheWayRound) {
+  EXPECT_EQ(mistakes("{tree: rec}",
+                     NamedTrees().with(
+                         "rec", "{parameters: {a: {inverter: $a}}, root: {selector: [$a]}}")),
+            "rec.yaml:1:29: parameter 'a' contains itself: a -> a");
+  EXPECT_EQ(
+      mistakes("{tree: rec}", NamedTrees().with("rec",
+                                                "{parameters: {a: [$b], b: {inverter: $a}}, root: "
+                                                "{selector: $a}}")),
+      "rec.yaml:1:38: parameter 'a' contains itself: a -> b -> a");
+}
+
+struct NeedsANumber final : Node {
+  static constexpr std::string_view type_name = "needs_a_number";
+  static constexpr std::string_view help = "cannot be made by a file";
+  explicit NeedsANumber(int) {}
+  Status tick(const RobotTick&, RobotProposal&) const override { return kFailure; }
+};
+
+TEST(RegistryErrors, ATypeThatOnlyCodeCanMakeIsNotAdded) {
+  RobotRegistry registry;
+  EXPECT_THROW(registry.add<NeedsANumber>(), std::logic_error);
+}
+
+TEST(RegistryErrors, AnExpressionThatBreaksOffIsStillOne) {
+  EXPECT_EQ(mistakes("{guard: {when: alarm and, child: {probe: {cue: 1}}}}"),
+            "test.yaml:1:25: expected a state field or a quantity, got the end");
+}
+
 }  // namespace
 }  // namespace eyrie::ubf::testing

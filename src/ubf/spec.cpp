@@ -41,12 +41,14 @@ class Filling {
       : tree_(tree), arguments_(arguments), diagnostics_(diagnostics) {}
 
   void fill(Value& value) {
+    const std::size_t within = open_.size();
     if (value.is_scalar() && value.text.find('$') != value.text.npos && !fill_text(value))
       return;
     for (Value& item : value.items)
       fill(item);
     for (Value::Entry& e : value.entries)
       fill(e.value);
+    open_.resize(within);
   }
 
  private:
@@ -67,11 +69,18 @@ class Filling {
         value.text += text[at++];
         continue;
       }
-      const Argument* found = find(value.where, name);
-      const Value* argument = found ? found->value : nullptr;
+      const Arguments::value_type* found = find(value.where, name);
+      const Value* argument = found ? found->second.value : nullptr;
       if (argument && at == 0 && end == text.size()) {
+        if (std::ranges::find(open_, name) != open_.end()) {
+          diagnostics_.error(value.where, "parameter {} contains itself: {} -> {}", quote(name),
+                             fmt::join(open_, " -> "), name);
+          return false;
+        }
         put(*argument, value);
-        return found->is_default;
+        if (found->second.is_default)
+          open_.push_back(found->first);
+        return found->second.is_default;
       }
       if (argument && !argument->is_scalar())
         diagnostics_.error(value.where, "'${}' is {}: it cannot be a piece of a text", name,
@@ -103,7 +112,7 @@ class Filling {
       n += size(e.value);
     return n;
   }
-  const Argument* find(const Location& where, std::string_view name) {
+  const Arguments::value_type* find(const Location& where, std::string_view name) {
     const auto found = arguments_.find(name);
     if (found == arguments_.end()) {
       diagnostics_.error(where, "tree {} has no parameter {}{}", quote(tree_), quote(name),
@@ -111,12 +120,13 @@ class Filling {
       return nullptr;
     }
     found->second.used = true;
-    return &found->second;
+    return &*found;
   }
 
   std::string_view tree_;
   Arguments& arguments_;
   Diagnostics& diagnostics_;
+  std::vector<std::string_view> open_;  ///< parameters whose defaults are being filled
   std::size_t copied_ = 0;
   bool full_ = false;
 

@@ -7,7 +7,8 @@
 namespace eyrie::ubf {
 
 /// The decisions of one tick, node by node. Made once for the largest tree and reused: recording
-/// allocates nothing. A tree decides the same with and without one.
+/// allocates nothing. A tree decides the same with and without one, but that answers which mean
+/// nothing are also found of who is outvoted.
 template <class Action>
 class Trace final : public AnyTrace {
  public:
@@ -41,21 +42,15 @@ class Trace final : public AnyTrace {
   void begin(std::size_t nodes) {
     EYRIE_DEMAND(nodes <= rows_.size(), "a trace smaller than the tree");
     used_ = nodes;
-    std::fill(reasons_.begin(), reasons_.end(), nullptr);
-    std::fill(given_votes_.begin(), given_votes_.end(), std::numeric_limits<float>::quiet_NaN());
     const bool was_left = !asked_.empty();  // by an exception: rows are half written
     asked_.clear();
-    for (Row& row : std::span(rows_.data(), used_)) {
-      if (!row.ticked && row.halts == 0 && !was_left)
-        continue;  // as it began: most nodes are not asked
-      row.ticked = false;
-      row.status = Status::failure;
-      row.halts = 0;
-      row.proposal.clear();
-      row.supplier = none();
-      row.held = {};
-    }
+    begin_rows(0, used_, was_left);
+    for (Row& row : std::span(rows_.data(), used_))
+      if (row.halts)
+        row.halts = 0;
   }
+  /// Forgets what the nodes [begin, end) answered, for they are asked anew in this tick.
+  void begin_again(NodeIndex begin, NodeIndex end) { begin_rows(begin, end, false); }
   void record(NodeIndex node, Status status, const Proposal<Action>& proposal) {
     Row& row = rows_[node];
     row.ticked = true;
@@ -102,6 +97,21 @@ class Trace final : public AnyTrace {
     std::array<NodeIndex, kFields<Action>> nodes{};
     nodes.fill(kNone);
     return nodes;
+  }
+
+  void begin_rows(std::size_t begin, std::size_t end, bool all) {
+    const auto part = [&](auto& of) { return std::span(of).subspan(begin, end - begin); };
+    std::ranges::fill(part(reasons_), nullptr);
+    std::ranges::fill(part(given_votes_), std::numeric_limits<float>::quiet_NaN());
+    for (Row& row : part(rows_)) {
+      if (!row.ticked && row.halts == 0 && !all)
+        continue;  // as it began: most nodes are not asked
+      row.ticked = false;
+      row.status = Status::failure;
+      row.proposal.clear();
+      row.supplier = none();
+      row.held = {};
+    }
   }
 
   std::vector<Row> rows_;

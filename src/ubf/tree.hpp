@@ -58,13 +58,15 @@ class Tree : public AnyTree {
   /// refuses.
   [[nodiscard]] Tree replace(std::string_view path, std::unique_ptr<Node> by) && {
     put(path, std::move(by));
+    check_vote_curves();
     return std::move(*this);
   }
 
  private:
   template <class, class>
   friend class Registry;
-  explicit Tree(AnyTree&& tree) : AnyTree(std::move(tree)) {
+  explicit Tree(AnyTree&& tree) : AnyTree(std::move(tree)) { check_vote_curves(); }
+  void check_vote_curves() const {
     for (std::size_t i = 0; i < size(); ++i)
       if (const VoteCurve* curve = AnyTree::node(static_cast<NodeIndex>(i)).vote_curve())
         for (const Consideration& one : curve->product)

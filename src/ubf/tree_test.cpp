@@ -283,5 +283,27 @@ TEST(Tree, SaysWhichNodeIsNotThereToBeReplaced) {
   }
 }
 
+TEST(Tree, RefusesInPlaceOfANodeWhatItRefusesFromTheStart) {
+  Child node = probe(1);
+  VoteCurve curve;
+  curve.product = {{99, 40, 10, Curve::linear}};  // no such field
+  node->set_vote_curve(curve);
+  RobotTree tree("t", make<Wta>(probe(0)));
+  EXPECT_THROW(static_cast<void>(std::move(tree).replace("root/probe", std::move(node))),
+               std::logic_error);
+}
+
+TEST(Tree, RefusesLabelsThatNoPathCanName) {
+  for (const char* label : {"a/b", "p[1]", "]"})
+    EXPECT_TRUE(refused(
+        [&]() -> Child {
+          Child leaf = probe(0);
+          leaf->set_label(label);
+          return make<Wta>(std::move(leaf));
+        },
+        "must not contain"))
+        << label;
+}
+
 }  // namespace
 }  // namespace eyrie::ubf::testing

@@ -116,14 +116,14 @@ def table(head, rows):
 
 
 def estimates(data):
-    """architecture -> measure -> [value, low, high]"""
+    """architecture -> measure -> [value, low, high, n]"""
     names = [m["name"] for m in data["measures"]]
     architecture = data["factors"].index("architecture")
     return {cell["values"][architecture]: dict(zip(names, cell["estimates"])) for cell in data["cells"]}
 
 
 def number(estimate, scale=1, digits=2):
-    value, low, high = (None if x is None else scale * x for x in estimate)
+    value, low, high = (None if x is None else scale * x for x in estimate[:3])
     if value is None:
         return "–"
     shown = f"{value:.{digits}f}"

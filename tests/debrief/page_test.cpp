@@ -10,6 +10,7 @@
 
 #include "core/text.hpp"
 #include "debrief/decision.hpp"
+#include "model/remote.hpp"
 #include "page/decisions.hpp"
 #include "page/page.hpp"
 #include "support/packed.hpp"
@@ -325,6 +326,47 @@ TEST(Page, CarriesARunFileThatFliesAsTheRunDid) {
 TEST(PageData, GivesUpWhenItsProgressSaysSo) {
   const debrief::Recorded recorded = test::recorded_flight("sweep", 60);
   EXPECT_EQ(page_data(recorded, [](double) { return false; }), "");
+}
+
+TEST(PageOfAnExercise, SaysWhoIsNotHeardOfAnyMoreAndWhoNeverWas) {
+  const auto scenario = test::load_scenario("sweep_even", {"ours=[blue]"});
+  const PlayerId shooter = *scenario->roster.find("bogey1"), missile = model::remote_missile(1);
+  const auto order = [](std::uint64_t step, PlayerId who, model::RemoteOrder kind,
+                        const auto& what) {
+    return sim::order_for(step, who, sim::OrderKind(kind), what);
+  };
+  using enum model::RemoteOrder;
+  const debrief::Recorded recorded = test::recorded_flight(
+      scenario, "sweep_even", 10, {},
+      {order(50, shooter, place, model::RemotePlace{.position = {0, 30e3, -6e3}}),
+       order(100, missile, launch,
+             model::RemoteLaunch{.shooter = shooter,
+                                 .target = *scenario->roster.find("eagle1"),
+                                 .range = 20e3F,
+                                 .side = model::Side::red}),
+       order(100, missile, place, model::RemotePlace{.position = {0, 29e3, -6e3}}),
+       order(250, shooter, leave, model::RemoteLeave{})});
+  const Reader page(page_data(recorded));
+  const json& players = page.document["players"];
+  const json& heard = players[shooter.value - 1];
+  EXPECT_EQ(heard["end"], "unheard");
+  EXPECT_TRUE(heard["remote"]);
+  EXPECT_NEAR(heard["born"], 1, 0.05);
+  EXPECT_NEAR(heard["gone"], 5, 0.05);
+  EXPECT_EQ(page.column(heard["gauges"]["fuel"]).front(), double{Column::kNothing})
+      << "nobody tells it";
+  const json& never = players[scenario->roster.find("bogey2")->value - 1];
+  EXPECT_EQ(never["end"], "");
+  EXPECT_GT(never["born"], 1e6);
+  const json& ours = players[scenario->roster.find("eagle1")->value - 1];
+  EXPECT_FALSE(ours["remote"]);
+  EXPECT_NEAR(ours["gone"], 10, 0.05);
+  std::vector<double> decided;
+  for (const json& line : page.document["story"])
+    if (line["kind"] == "launch")
+      decided.push_back(line["decided"]);
+  ASSERT_EQ(decided.size(), 1u) << page.document["story"];
+  EXPECT_NEAR(decided[0], 2, 0.1) << "when that was decided is not known";
 }
 
 }  // namespace

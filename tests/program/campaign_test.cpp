@@ -69,6 +69,9 @@ TEST_F(Campaign, InterruptedKeepsWhatWasFlownAndSaysHowToGoOn) {
   EXPECT_NE(read_text(folder / "said").find("eyrie campaign c.yaml --out cut --resume goes on"),
             std::string::npos)
       << read_text(folder / "said");
+  const Ran report = run_program(folder, {"report", "cut", "--ways", "0"});
+  EXPECT_NE(report.out.find("\nnot the whole campaign: interrupted\n"), std::string::npos)
+      << report.out << report.err;
   const std::string all = table("cut");
   EXPECT_GE(std::count(all.begin(), all.end(), '\n'), 2) << all;
 }

@@ -96,7 +96,8 @@ TEST(Optimize, TellsEachGenerationAndTheProofInJson) {
   const nlohmann::json& proof = told[3]["proof"]["fuel"];
   EXPECT_NEAR(proof["after"][0].get<double>() - proof["before"][0].get<double>(),
               proof["difference"][0].get<double>(), 1e-6);
-  EXPECT_EQ(proof["difference"].size(), 3U);
+  EXPECT_EQ(proof["difference"].size(), 4U);
+  EXPECT_EQ(proof["difference"][3], 4) << "pairs";
   EXPECT_EQ(told[3]["set"][0],
             "blue.flights.eagle.start.altitude=" + told[3]["values"]["height"].get<std::string>());
 }

@@ -197,7 +197,7 @@ TEST_F(PluggedProgram, ReplaysOnlyWithTheVeryFileOfTheRun) {
 
   std::filesystem::rename(file, folder / "libgood.so");
   expect({}, "run/run.eyrie: the run needs the plug-in " + file +
-                 ", which is not there; --plugin says where it is now");
+                 ", which is not there; --plugin (in Python plugins=) says where it is now");
   const Ran moved = run_program(folder, {"replay", "run", "--plugin", "libgood.so"});
   EXPECT_EQ(moved.code, 0) << moved.err;
 

@@ -208,11 +208,14 @@ TEST_F(Trust, NeverLooksWhereOneStandsForWhatARunFileNames) {
     EXPECT_EQ(ran.err, "other.eyrie: the run needs the plug-in " + why);
     EXPECT_EQ(run({"replay", "other.eyrie", "--plugin", "libgood.so"}).code, 0);
   };
-  refused("libgood.so", "libgood.so, at no absolute path; --plugin says where it is\n");
+  refused("libgood.so",
+          "libgood.so, at no absolute path; --plugin (in Python plugins=) says where it is\n");
   refused("./x\x1b]0;/libgood.so",
-          "$'./x\\x1b]0;/libgood.so', at no absolute path; --plugin says where it is\n");
+          "$'./x\\x1b]0;/libgood.so', at no absolute path; --plugin (in Python plugins=) says "
+          "where it is\n");
   refused("/nowhere/libgood.so",
-          "/nowhere/libgood.so, which is not there; --plugin says where it is now\n");
+          "/nowhere/libgood.so, which is not there; --plugin (in Python plugins=) says where it is "
+          "now\n");
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   fs::create_directory(folder / "sub");
   ASSERT_EQ(::mkfifo((folder / "sub/libgood.so").c_str(), 0600), 0);

@@ -10,13 +10,16 @@
 
 namespace eyrie::test {
 
-/// A scenario flown for `until` s with a seed (none: its own).
+/// A scenario flown for `until` s with a seed (none: its own), and orders from outside.
 [[nodiscard]] inline debrief::Recorded recorded_flight(
     const std::shared_ptr<const scenario::Scenario>& scenario, const std::string& name,
-    double until, std::optional<std::uint64_t> seed = {}) {
+    double until, std::optional<std::uint64_t> seed = {},
+    const std::vector<sim::Order>& given = {}) {
   sim::TrailRecorder trail;
   scenario::Mission mission(scenario, seed.value_or(scenario->spec.seed), until);
   mission.run().attach(trail);
+  for (const sim::Order& order : given)
+    EXPECT_EQ(mission.run().submit(order), "");
   mission.fly();
   debrief::Recorded r;
   r.file = name;
@@ -30,6 +33,7 @@ namespace eyrie::test {
            .trail = trail.trail(),
            .orders = scenario->orders,
            .outcome = ""};
+  r.run.orders.insert(r.run.orders.end(), given.begin(), given.end());
   r.scenario = scenario;
   return r;
 }

@@ -27,7 +27,7 @@ before(() => {
 eyrie: 1
 name: "</script><b>tactics"
 scenario: sweep
-set: ['until=520 s']
+set: ['until=600 s']
 factors:
   tactic: {path: trees.veteran.sequencer.trees.bvr.tree, values: {"<b>near</b>, and so much more to be said of it than there is room for, even in a window as wide as there are few": short_skate, "</script>": banzai}}
 replicates: 4
@@ -35,6 +35,8 @@ measures:
   end: {what: end_time}
   shots: {what: shots, who: blue}
   fuel: {what: fuel_left, who: blue}
+  exchange: {what: exchange_ratio, who: blue}
+  miss: {what: event, event: detonation, take: first, value: miss}
 `);
   eyrie('campaign', 'c.yaml', '--out', 'out');
   eyrie('report', 'out', '--ways', '0');
@@ -98,6 +100,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await page.$eval('#chart g', (cell) => (cell as SVGElement).focus());
       await page.keyboard.press('Enter');
       assert.match(await page.textContent('#behind h2'), / in cell 0: /);
+      assert.ok(await page.$eval('#chart', (box) => box.querySelector('svg')!.getBoundingClientRect().right <= box.getBoundingClientRect().right), 'the chart is wider than its box');
       await page.$eval('#behind svg g', (bar) => (bar as SVGElement).focus());
       await page.keyboard.press(' ');
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the whole page scrolls sideways');
@@ -121,6 +124,22 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       const means = await page.evaluate(() => (JSON.parse(document.querySelector('#data')!.textContent!) as { cells: { estimates: number[][] }[] }).cells.map(({ estimates }) => estimates[2]![0]));
       assert.notEqual(means[0], means[1]);
       assert.equal(await page.textContent('#effects'), 'Each cell has a level of its own: see Against each other.');
+      await page.close();
+    });
+
+    test('replicates that a measure divides by 0, or does not apply to, are counted and listed', { skip: where !== 'chromium' }, async () => {
+      const asked = (what: string): number[] => eyrie('query', 'out', `SELECT ${what} FROM replicates GROUP BY cell`).trim().split('\n').slice(1).map(Number);
+      const by_0 = asked('sum("exchange.per" = 0)'), with_miss = asked('count(miss)'), cell = by_0.findIndex((n) => n > 0 && n < 4);
+      assert.ok(cell >= 0 && with_miss.some((n) => n < 4), `the flights are not such: ${by_0}, ${with_miss}`);
+      const { page } = await open_url(browser, `${pathToFileURL(report).href}#measure=3&cell=${cell}`, { width: 1280, height: 800 });
+      await page.waitForSelector('#list tbody tr');
+      assert.match(await page.textContent('#behind .dim'), new RegExp(`^${by_0[cell]} divide by 0: `));
+      const values = await page.$$eval('#list tbody td:nth-child(5)', (cells) => cells.map((one) => one.textContent!));
+      assert.equal(values.length, 4);
+      assert.deepEqual(values.map((value) => / : 0$/.test(value)), values.map((_, i) => i >= 4 - by_0[cell]!));
+      const told = await page.$$eval('#all tbody td:last-child', (cells) => cells.map((one) => one.textContent!));
+      assert.deepEqual(told.map((text) => / of (\d+)$/.exec(text)?.[1]), with_miss.map((n) => n < 4 ? `${n}` : undefined));
+      assert.match(await page.textContent('#paired'), /^Paired by replicate; /);
       await page.close();
     });
 

@@ -56,8 +56,7 @@ class ForEach final : public Decorator<State, Action> {
     for (std::size_t i = 0; i < count; ++i) {
       list_->look_at(state, i);
       inner.seed = seed_of(t.seed, i);
-      const Status answer = this->ask(this->child(), inner, best.next());
-      this->forget(this->child(), inner);
+      const Status answer = ask_anew(inner, best.next());
       if (answer == Status::failure)
         continue;
       if (chosen != count && !(best.next().vote > highest))
@@ -74,8 +73,7 @@ class ForEach final : public Decorator<State, Action> {
     if (t.trace) [[unlikely]] {
       list_->look_at(state, chosen);
       inner.seed = seed_of(t.seed, chosen);
-      this->ask(this->child(), inner, best.next());
-      this->forget(this->child(), inner);
+      ask_anew(inner, best.next());
     }
     best.hand_on();
     this->took(t, this->child());
@@ -97,6 +95,14 @@ class ForEach final : public Decorator<State, Action> {
   }
 
  private:
+  /// Asks the child as one that was not asked before in this tick.
+  Status ask_anew(const Tick<State>& t, Proposal<Action>& out) const {
+    if (t.trace) [[unlikely]]
+      Trace<Action>::of(*t.trace).begin_again(this->child().index(), this->child().end_index());
+    const Status answer = this->ask(this->child(), t, out);
+    this->forget(this->child(), t);
+    return answer;
+  }
   /// For what is drawn at one of the things: another number than at the others, also in a loop
   /// within a loop (the finalizer of SplitMix64: Steele et al., OOPSLA 2014).
   [[nodiscard]] static constexpr std::uint64_t seed_of(std::uint64_t seed, std::size_t thing) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "support/ubf/registry.hpp"
@@ -20,8 +21,10 @@ class Glance final : public Node {
     EYRIE_DEMAND(out.is_empty(), "what a behavior is given to write to is not empty");
     out.action = t.state.cues[0].action;
     out.vote = t.state.cues[0].vote;
-    return t.state.range > 100 ? Status::failure : t.state.cues[0].status;
+    return t.state.range > 100 || t.state.range < nearest ? Status::failure
+                                                          : t.state.cues[0].status;
   }
+  double nearest = 0;  ///< m
 };
 
 /// Votes for each thing what it draws.
@@ -105,6 +108,38 @@ TEST(ForEach, DrawsAnewForEveryThing) {
   robot.tick();
   EXPECT_EQ(robot.row("root/for_each/gambler").proposal.action.altitude, robot.out.action.altitude)
       << "the trace shows what was drawn for the chosen one";
+}
+
+TEST(ForEach, IsTracedAsIfTheChosenThingWereTheOnlyOne) {
+  const auto over = [](Child child) {
+    auto node = make<ForEach<State, Action>>(std::move(child));
+    node->go_over(StateLists<State>::all().front());
+    Robot robot(std::move(node));
+    robot.state.things = {40, 50};  // the first glance fails for the first thing
+    robot.state.thing_count = 2;
+    robot.say(0, kRunning);
+    EXPECT_EQ(robot.tick(), kRunning);
+    EXPECT_EQ(robot.out.vote, 50);
+    return robot;
+  };
+  const auto glances = [] {
+    auto far = make<Glance>();
+    far->nearest = 45;
+    Children all;
+    all.push_back(std::move(far));
+    all.push_back(make<Glance>());
+    return all;
+  };
+  const Robot selector = over(make<Selector<State, Action>>(glances()));
+  EXPECT_TRUE(selector.row("root/selector/glance[0]").ticked);
+  EXPECT_FALSE(selector.row("root/selector/glance[1]").ticked) << "asked for another thing alone";
+
+  const Robot fusion = over(make<Fusion<State, Action>>(glances()));
+  EXPECT_EQ(fusion.row("root").supplier[1], fusion.node("root/fusion")) << "of both";
+  auto top = make<Fusion<State, Action>>(glances());
+  top->top = 1;
+  const Robot first = over(std::move(top));
+  EXPECT_TRUE(std::isnan(first.trace.given_vote(first.node("root/fusion/glance[0]"))));
 }
 
 TEST(ForEach, FailsWithoutThingsAndIfEveryOneFails) {

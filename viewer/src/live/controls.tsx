@@ -72,7 +72,7 @@ export function Orders({ live }: { live: Live }) {
   const wanted = use_cell(live.hands.wanted);
   const pointing = use_cell(live.pointing);
   use_cell(live.status);
-  const gone = player.end !== '' || live.is_over();
+  const gone = player.end !== '' || player.remote || live.is_over();
   const aircraft = player.kind === 'aircraft';
   const whom = whole ? { flight: flight.name } : { player: player.name };
   const now = run.shapes[player.decisions.shape.at(-1) ?? -1]?.tree;

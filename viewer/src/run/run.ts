@@ -41,9 +41,10 @@ export interface Player {
   type: string;  // "F-15C"
   model: string;  // "f15c"
   flight: number;  // Index into Run.flights.
-  born: number;
-  gone: number;  // When it left the run: home, lost, or the end of the run.
-  end: 'home' | 'lost' | '';
+  remote: boolean;  // Another program flies it, and takes no orders.
+  born: number;  // When it was first there; 1e9: never.
+  gone: number;  // When it left the run: home, lost, not heard of any more, or the end of the run.
+  end: 'home' | 'lost' | 'unheard' | '';  // Unheard: another program flew it, and fell silent.
   motion: Motion;
   gauges: Gauges;
   decisions: Decisions;

@@ -78,6 +78,6 @@ export function draw_gone(frame: Frame): void {
     notes.mark(lost ? 'cross' : kSideMark[side], eye.px, eye.py, 6, tint, lost ? 2.4 : 1.4, false, lost ? 1 : 0.8);
     const chosen = index === view.selected;
     if (view.layers.labels && (chosen || players.count <= kCrowd))
-      notes.tag(20000 + index, eye.px, eye.py, name, end, tint, kSideMark[side], chosen ? 95 : 22);
+      notes.tag(20000 + index, eye.px, eye.py, name, end === 'unheard' ? 'not heard of' : end, tint, kSideMark[side], chosen ? 95 : 22);
   }
 }

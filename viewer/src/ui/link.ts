@@ -116,6 +116,7 @@ const kKeys: Readonly<Record<string, keyof Told>> = {
 };
 /** What of a link was left out: "p=nobody". */
 export function not_understood(run: Run, fragment: string): string[] {
+  if (is_of_another(run, fragment)) return [];
   const told = read_link(run, fragment);
   return [...said_in(fragment)].flatMap(([key, text]) => {
     if (kOthers.includes(key)) return [];
@@ -129,6 +130,22 @@ export function read_link_in_page(run: Run, fragment: string, duration: number):
   return { ...(said_in(fragment).has('t') && { zoom: null, ruler: null }), ...read_link(run, fragment, duration) };
 }
 
+// The address that a page has made of another scenario, flown here before, is no link that somebody gave.
+const kOwn = 'eyrie-address';
+function note_own({ about }: Run, fragment: string): void {
+  try {
+    sessionStorage.setItem(kOwn, JSON.stringify([about.scenario, fragment]));
+  } catch { /* some are closed to files */ }
+}
+function is_of_another({ about }: Run, fragment: string): boolean {
+  try {
+    const [scenario, own] = JSON.parse(sessionStorage.getItem(kOwn) ?? '[]') as [string?, string?];
+    return own === fragment && scenario !== about.scenario;
+  } catch {
+    return false;
+  }
+}
+
 /** ms: browsers refuse to have it changed much more often. */
 const kPace = 500;
 
@@ -139,6 +156,7 @@ export function follow_address({ run, store }: Page): () => void {
     timer = null;
     const text = link_text(run, store.get(), location.hash);
     if (text !== location.hash) history.replaceState(history.state, '', text);
+    note_own(run, text);
   };
   const stop = store.subscribe((now, before) => {
     if (kTold.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);

@@ -37,8 +37,13 @@ export function moments_of({ story, players }: Run): Moment[] {
 /** Where the page opens: at the first shot, or else what was lost, or whatever comes first; -1: nothing happened. */
 export function first_moment(run: Run): number {
   const moments = moments_of(run);
-  const of = (...kinds: string[]): Moment | undefined => moments.find(({ line }) => kinds.includes(run.story[line]!.kind));
-  return (of('launch', 'gun_burst') ?? of('kill', 'crash', 'loss') ?? moments[0])?.line ?? -1;
+  const first = (all: Moment[]): Moment | undefined => {
+    const of = (...kinds: string[]): Moment | undefined => all.find(({ line }) => kinds.includes(run.story[line]!.kind));
+    return of('launch', 'gun_burst') ?? of('kill', 'crash', 'loss') ?? all[0];
+  };
+  // whom another program flies decides nothing here
+  const ours = moments.filter(({ line }) => !run.players[run.story[line]!.decider]?.remote);
+  return (first(ours) ?? first(moments))?.line ?? -1;
 }
 
 export function Moments() {

@@ -9,7 +9,8 @@ import { use_page } from './page.ts';
 import { label_of } from './spans.ts';
 import { use_paced, use_rove, use_view } from './use.ts';
 
-export type Fate = 'not yet' | 'alive' | 'home' | 'lost';
+export type Fate = 'not yet' | 'alive' | 'home' | 'lost' | 'unheard';
+const kFates = { lost: '✕ lost', home: '⌂ home', unheard: 'silent from' };
 
 export function fate_at(player: Player, t: number): Fate {
   if (t < player.born - 1e-6) return 'not yet';
@@ -34,7 +35,7 @@ export function SideMark({ side }: { side: Side }) {
 }
 
 export function fate_words(fate: Fate, gone: number): string {
-  return fate === 'not yet' ? fate : `${fate === 'lost' ? '✕ lost' : '⌂ home'} ${clock_text(gone)}`;
+  return fate === 'not yet' || fate === 'alive' ? fate : `${kFates[fate]} ${clock_text(gone)}`;
 }
 
 function Line({ player }: { player: Player }) {

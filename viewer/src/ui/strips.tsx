@@ -113,7 +113,8 @@ function Readout({ quantity, lines }: { quantity: Quantity; lines: Line[] }) {
   const now = use_paced(page.store, (v) => v.time);
   const t = hover ? hover.t : now;
   const [unit] = quantity.unit();
-  const at = ({ player, run }: Line): number => {
+  const at = ({ player: { index }, run }: Line): number => {
+    const player = run.players[index]!;  // of a mission that is flown: as it is now, not as its line was drawn
     const series = series_of(run, player, quantity);
     return (series && resample(series, [t], quantity.steps, player.gone)[0]) ?? NaN;
   };
