@@ -54,8 +54,10 @@ std::vector<sim::Order> Others::orders(const sim::World& world, double clock) {
   // of many of one entity the newest, and one in each step, for how long ever that is waited for:
   // what is kept of the exercise grows with its steps alone
   for (auto& [id, entity] : entities_) {
-    if (!entity.who || entity.gone)
+    if (!entity.who || entity.gone) {
       entity.said.reset();
+      entity.radiates = false;
+    }
     if (entity.said && entity.followed == world.step())
       entity.heard = clock;
     else if (const auto said = std::exchange(entity.said, std::nullopt))

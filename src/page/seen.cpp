@@ -258,7 +258,7 @@ Json Motions::now() const {
   };
   for (const Flown& player : players_) {
     Json& row = all["players"].emplace_back();
-    if (!player.born || player.gone)
+    if (!player.born || player.gone || player.heard < time_)
       continue;
     put(player, row);
     const model::Kinematics& k = player.last;
