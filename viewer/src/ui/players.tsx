@@ -10,7 +10,7 @@ import { label_of } from './spans.ts';
 import { use_paced, use_rove, use_view } from './use.ts';
 
 export type Fate = 'not yet' | 'alive' | 'home' | 'lost' | 'unheard';
-const kFates = { lost: '✕ lost', home: '⌂ home', unheard: 'silent from' };
+const kFates = { lost: '✕ lost', home: '⌂ home', unheard: 'silent' };
 
 export function fate_at(player: Player, t: number): Fate {
   if (t < player.born - 1e-6) return 'not yet';
