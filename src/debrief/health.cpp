@@ -163,11 +163,13 @@ class Meter final : public sim::Observer {
     if (!own)
       return;
     const auto zone = s_.library->missiles[static_cast<std::size_t>(e.values[1])].zone.at(
-        model::weapon::launch_situation({own->position, own->velocity, own->altitude},
-                                        {target->position, target->velocity, target->altitude}));
+        model::weapon::launch_situation(party(*own), party(*target)));
     const double range = norm(target->position - own->position);
     if (zone.r_ne > 0)
       shot.zone = range / zone.r_ne;
+  }
+  [[nodiscard]] model::weapon::LaunchParty party(const model::Kinematics& k) const {
+    return {k.position, through_air(k, s_.library->environment.wind), k.altitude};
   }
   void entered(const sim::World& world, PlayerId who, std::string_view phase) {
     if (phase == "egress")

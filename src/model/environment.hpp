@@ -2,6 +2,7 @@
 #pragma once
 /// \file  The air and the wind.
 #include "core/describe.hpp"
+#include "model/kinematics.hpp"
 
 namespace eyrie::model {
 
@@ -140,6 +141,7 @@ class Wind {
   /// std::logic_error if there is a problem.
   explicit Wind(std::span<const WindLayer> layers);
 
+  [[nodiscard]] bool is_calm() const { return velocity_.empty(); }
   /// Velocity of the air at an altitude (m): north, east, 0; m/s.
   [[nodiscard]] Vec3 at(double altitude) const;
 
@@ -147,6 +149,20 @@ class Wind {
   Axis altitude_;
   std::vector<Vec3> velocity_;  ///< north-east-down, one per layer
 };
+
+inline const Wind kCalm;
+
+/// m/s, in local axes: how somebody moves through the air at his place.
+[[nodiscard]] inline Vec3 through_air(const Kinematics& k, const Wind& wind) {
+  if (wind.is_calm())
+    return k.velocity;
+  const Vec3 air = wind.at(k.altitude);
+  return k.velocity - (air.x * k.north + air.y * k.east);
+}
+/// Unit vector in local axes: where the nose of who flies without sideslip points.
+[[nodiscard]] inline Vec3 nose_of(const Kinematics& k, const Wind& wind) {
+  return normalized(through_air(k, wind), k.north);
+}
 
 /// What a scenario says about the environment.
 struct EnvironmentSpec {

@@ -126,6 +126,16 @@ TEST(Wind, ChangesLinearlyBetweenLayersAndStaysBeyondThem) {
   EXPECT_NEAR(wind.at(20000).x, -30, 1e-12);
 }
 
+TEST(Wind, TurnsNoNose) {
+  const std::vector<WindLayer> west = {{.altitude = 0, .speed = 20, .from = radians(270)}};
+  const Wind wind(west);
+  const Kinematics drifts{
+      .velocity = {200, 20, 0}, .north = {1, 0, 0}, .east = {0, 1, 0}, .down = {0, 0, 1}};
+  EXPECT_NEAR(through_air(drifts, wind).y, 0, 1e-12);
+  EXPECT_NEAR(nose_of(drifts, wind).x, 1, 1e-12);
+  EXPECT_EQ(through_air(drifts, Wind()), drifts.velocity);
+}
+
 TEST(Wind, RefusesLayersOutOfOrder) {
   const std::vector<WindLayer> same = {{.altitude = 1000, .speed = 10},
                                        {.altitude = 1000, .speed = 20}};

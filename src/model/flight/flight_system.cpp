@@ -141,8 +141,9 @@ void FlightSystem::interact(sim::World& world, const sim::StepInfo& info, sim::C
 
   // ten times a second, over the way flown since the last time
   const auto every = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(0.1 / info.dt + 0.5));
+  const auto flown = std::min<std::uint64_t>(every, info.step + 1);
   if (info.step % every == 0)
-    for_each_collision(kinematics, chunk.begin, chunk.end, static_cast<double>(every) * info.dt,
+    for_each_collision(kinematics, chunk.begin, chunk.end, static_cast<double>(flown) * info.dt,
                        [&](std::size_t i, std::size_t other) {
                          if (fit[i].remote == 0)
                            out.emit({.kind = EventKind::crash,

@@ -74,6 +74,7 @@ void search_infrared(const Scene& scene, Self& self) {
   const Kinematics& own = self.kinematics;
   const Axes body = body_axes(own);
   const double reach2 = irst.greatest_range * irst.greatest_range;
+  const Wind& wind = scene.library.environment.wind;
 
   constexpr std::size_t kMost = 8;
   Nearest<kMost> found(kMost);
@@ -87,7 +88,7 @@ void search_infrared(const Scene& scene, Self& self) {
     const double range = std::sqrt(range2);
     if (range > horizon_range(own.altitude, other.altitude, 1))
       continue;
-    const double cos_aspect = -dot(normalized(other.velocity, other.north), sight) / range;
+    const double cos_aspect = -dot(nose_of(other, wind), sight) / range;
     const double intensity = radiant_intensity(scene.library.aircraft[scene.fit[j].type].infrared,
                                                cos_aspect, scene.propulsion[j].throttle);
     if (finds(irst, intensity, range, scene.draw(self.id, Stream::infrared, scene.ids[j]).normal()))

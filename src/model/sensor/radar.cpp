@@ -62,14 +62,14 @@ void sweep(const Radar& radar, const Vec3& down, Emission& emission) {
 }
 
 double mean_echo(const Radar& radar, const Detector& detector, const Kinematics& own,
-                 const Signature& signature, const Kinematics& other) {
+                 const Signature& signature, const Kinematics& other, const Wind& wind) {
   const Vec3 sight = other.position - own.position;
   const double range2 = norm2(sight);
   const double range = std::sqrt(range2);
   if (range <= 0 || range > horizon_range(own.altitude, other.altitude, kRadioEarth))
     return 0;
   const Vec3 unit = sight / range;
-  const double cos_aspect = -dot(normalized(other.velocity, other.north), unit);
+  const double cos_aspect = -dot(nose_of(other, wind), unit);
   const double section = radar_cross_section(signature, cos_aspect);
   const double signal = detector.signal_to_noise(range2, section);
   const double share = in_clutter(radar, own, other, unit);

@@ -6,6 +6,7 @@
 #include "core/draw.hpp"
 #include "model/emission.hpp"
 #include "model/entity_type.hpp"
+#include "model/environment.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/signature.hpp"
@@ -192,9 +193,11 @@ void sweep(const Radar& radar, const Vec3& down, Emission& emission);
          along * along >= a.cos_gimbal * a.cos_gimbal * range2;
 }
 
-/// Mean S/N of `other` in one look if the beam passes it: range, aspect, horizon and notch.
+/// Mean S/N of `other` in one look if the beam passes it: range, aspect, horizon and notch. `wind`
+/// turns its nose against its way over the ground.
 [[nodiscard]] double mean_echo(const Radar& radar, const Detector& detector, const Kinematics& own,
-                               const Signature& signature, const Kinematics& other);
+                               const Signature& signature, const Kinematics& other,
+                               const Wind& wind = kCalm);
 
 /// Errors of one look, 1-sigma: of thermal noise, cell / sqrt(2 S/N) and width / (1.6 sqrt(2 S/N)),
 /// 1.6 the slope of a monopulse antenna (Barton & Leonov, Radar Technology Encyclopedia (1997), p.

@@ -144,6 +144,21 @@ TEST(DetectionProbability, IsTheSameFromLeftAndRightOfTheTarget) {
   EXPECT_GT(at_aspect(kPi), at_aspect(0));
 }
 
+TEST(MeanEcho, IsTheSameInAWindThatCarriesBoth) {
+  const Radar radar;
+  const Detector detector(radar);
+  const Signature fighter{.rcs_front = 3, .rcs_side = 30, .rcs_rear = 9};
+  const std::vector<WindLayer> north{{.altitude = 0, .speed = 100, .from = 0}};
+  const Wind wind(north);
+  Kinematics own = flying({0, 0, kHigh}, kPi / 2, 250);
+  Kinematics other = flying({0, 50e3, kHigh}, -kPi / 2, 250);
+  const double calm = mean_echo(radar, detector, own, fighter, other);
+  for (Kinematics* one : {&own, &other})
+    one->velocity = one->velocity + wind.at(one->altitude);
+  EXPECT_NEAR(mean_echo(radar, detector, own, fighter, other, wind), calm, 1e-9 * calm);
+  EXPECT_GT(mean_echo(radar, detector, own, fighter, other), 1.1 * calm) << "if it turned his nose";
+}
+
 TEST(MeanEcho, IsNothingBelowTheHorizon) {
   const Radar radar;
   const double own_altitude = 1000, low = 50;

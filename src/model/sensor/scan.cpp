@@ -94,17 +94,19 @@ struct Looking {
   Antenna antenna;
   Detector detector;
   Jamming jamming;
+  const Wind& wind;
   Looking(const Scene& scene, const Self& self)
       : antenna(aim(*self.suite.radar, self.radar, self.kinematics)),
         detector(*self.suite.radar),
-        jamming(scene, self) {}
+        jamming(scene, self),
+        wind(scene.library.environment.wind) {}
 };
 
 /// Mean S/N of an echo in one look, with what jams.
 double mean_of(const Self& self, const Looking& looking, const Signature& signature,
                const Kinematics& other) {
-  const double mean =
-      mean_echo(*self.suite.radar, looking.detector, self.kinematics, signature, other);
+  const double mean = mean_echo(*self.suite.radar, looking.detector, self.kinematics, signature,
+                                other, looking.wind);
   return mean <= 0 || looking.jamming.items().empty()
              ? mean
              : mean / looking.jamming.noise_along(other.position - self.kinematics.position);

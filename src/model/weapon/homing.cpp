@@ -19,8 +19,7 @@ TargetScene TargetScene::of(const sim::World& world, const AircraftColumns& colu
 
 double TargetScene::signature(SeekerKind kind, std::size_t row, const Vec3& direction) const {
   const AircraftType& type = library.aircraft[fit[row].type];
-  const Vec3 nose = normalized(kinematics[row].velocity, kinematics[row].north);
-  const double cos_aspect = -dot(nose, direction);
+  const double cos_aspect = -dot(nose_of(kinematics[row], library.environment.wind), direction);
   if (kind == SeekerKind::radar)
     return radar_cross_section(type.signature, cos_aspect);
   return radiant_intensity(type.infrared, cos_aspect, propulsion[row].throttle);
@@ -30,7 +29,8 @@ std::optional<TargetScene::Towed> TargetScene::towed(std::size_t row) const {
   if (decoys.empty() || decoys[row].towed == 0)
     return std::nullopt;
   const Dispenser& dispenser = library.dispensers[*library.aircraft[fit[row].type].index.dispenser];
-  const auto offset = towed_at(dispenser, decoys[row], kinematics[row].velocity, time);
+  const Vec3 moves = through_air(kinematics[row], library.environment.wind);
+  const auto offset = towed_at(dispenser, decoys[row], moves, time);
   return offset ? std::optional(Towed{*offset, dispenser.towed_section}) : std::nullopt;
 }
 
@@ -121,10 +121,10 @@ std::optional<Detected> search(const SeekerType& seeker, const SeekerView& view,
 
 namespace {
 
-SeekerView view_of(const Kinematics& k, Side side) {
+SeekerView view_of(const Kinematics& k, const Wind& wind, Side side) {
   return {.position = k.position,
           .velocity = k.velocity,
-          .axis = normalized(k.velocity, k.north),
+          .axis = nose_of(k, wind),
           .down = k.down,
           .altitude = k.altitude,
           .side = side};
@@ -213,7 +213,7 @@ bool switch_on(const MissileType& type, const Kinematics& k, double time, Missil
 std::optional<Detected> look(const MissileType& type, const Kinematics& k, double time,
                              const TargetScene& scene, Draw noise, MissileState& state) {
   const SeekerType& seeker = type.seeker;
-  const SeekerView view = view_of(k, state.side);
+  const SeekerView view = view_of(k, scene.library.environment.wind, state.side);
 
   // whom it rests on already
   if (state.locked != 0) {
@@ -270,7 +270,7 @@ DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double ti
   const Kinematics& target = scene.kinematics[row];
   const Vec3 wind_ned = scene.library.environment.wind.at(target.altitude);
   const Vec3 wind = wind_ned.x * target.north + wind_ned.y * target.east;
-  const SeekerView view = view_of(k, state.side);
+  const SeekerView view = view_of(k, scene.library.environment.wind, state.side);
   const auto los_of = [&](const DecoyNow& now) {
     return line_of_sight(now.position - k.position, now.velocity - k.velocity);
   };
