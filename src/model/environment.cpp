@@ -54,6 +54,8 @@ Air Atmosphere::at(double altitude) const {
   return air_at(altitude);
 }
 
+const Wind kCalm;
+
 std::optional<std::string> Wind::problem(std::span<const WindLayer> layers) {
   for (std::size_t i = 1; i < layers.size(); ++i)
     if (!(layers[i].altitude > layers[i - 1].altitude))

@@ -150,7 +150,7 @@ class Wind {
   std::vector<Vec3> velocity_;  ///< north-east-down, one per layer
 };
 
-inline const Wind kCalm;
+extern const Wind kCalm;
 
 /// m/s, in local axes: how somebody moves through the air at his place.
 [[nodiscard]] inline Vec3 through_air(const Kinematics& k, const Wind& wind) {

@@ -270,8 +270,8 @@ TEST(FlightSystem, ReportsNoCollisionOfBeforeTheStart) {
   Sky scene(3);
   sim::Workspace work(*scene.simulation);
   const auto k = scene.world->rows(scene.columns.kinematics);
-  k[1] = placed(scene.models->reference, scene.models->environment,
-                k[0].position + Vec3{-12, 0, 0}, kPi, 220);  // tail to tail, and away
+  k[1] = placed(scene.models->reference, scene.models->environment, k[0].position + Vec3{-12, 0, 0},
+                kPi, 220);  // tail to tail, and away
   scene.world->rows(scene.columns.command)[1].heading = kPi;
   for (int i = 0; i < 20; ++i)
     for (const sim::Event& event : scene.simulation->step(*scene.world, work))
