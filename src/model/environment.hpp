@@ -152,12 +152,14 @@ class Wind {
 
 extern const Wind kCalm;
 
-/// m/s, in local axes: how somebody moves through the air at his place.
+/// m/s, in local axes: how the air moves where somebody is.
+[[nodiscard]] inline Vec3 air_at(const Kinematics& k, const Wind& wind) {
+  const Vec3 ned = wind.at(k.altitude);
+  return ned.x * k.north + ned.y * k.east;
+}
+/// Likewise: how he moves through it.
 [[nodiscard]] inline Vec3 through_air(const Kinematics& k, const Wind& wind) {
-  if (wind.is_calm())
-    return k.velocity;
-  const Vec3 air = wind.at(k.altitude);
-  return k.velocity - (air.x * k.north + air.y * k.east);
+  return wind.is_calm() ? k.velocity : k.velocity - air_at(k, wind);
 }
 /// Unit vector in local axes: where the nose of who flies without sideslip points.
 [[nodiscard]] inline Vec3 nose_of(const Kinematics& k, const Wind& wind) {

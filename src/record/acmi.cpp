@@ -60,7 +60,7 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
   time_ = static_cast<double>(step_) * dt;
   for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i)
     introduce(PlayerId{static_cast<std::uint32_t>(i + 1)});
-  there_.assign(scenario_.roster.players.size(), false);
+  seen_.assign(scenario_.roster.players.size(), {});
   see_players(world);
   write_lines();
   pass(world);
@@ -77,24 +77,19 @@ void AcmiWriter::introduce(PlayerId id) {
 }
 
 void AcmiWriter::see_players(const sim::World& world) {
-  std::vector<bool> there(there_.size());
-  scenario_.each_player(
-      world, [&](const scenario::Fleet&, PlayerId id, std::size_t) { there[id.value - 1] = true; });
-  // who is flown by another program is gone while that is not heard of, and may come back
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    const PlayerId id{static_cast<std::uint32_t>(i + 1)};
-    if (there_[i] && !there[i])
-      gone(id);
-    const auto at = objects_.find(id.value);
-    if (there[i] && at != objects_.end() && at->second.gone())
-      write_lines();
-    if (there[i])
-      introduce(id);
-  }
-  there_ = std::move(there);
   scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
+    if (const auto at = objects_.find(id.value); at != objects_.end() && at->second.gone())
+      write_lines();  // he is back
+    introduce(id);
     see(id, player(fleet, world, row));
+    seen_[id.value - 1] = step_;
   });
+  // who is flown by another program is gone while that is not heard of
+  for (std::size_t i = 0; i < seen_.size(); ++i)
+    if (seen_[i] && *seen_[i] != step_) {
+      gone(PlayerId{static_cast<std::uint32_t>(i + 1)});
+      seen_[i].reset();
+    }
 }
 
 void AcmiWriter::see_missiles(const sim::World& world) {

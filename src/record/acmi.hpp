@@ -181,7 +181,7 @@ class AcmiWriter final : public sim::Observer {
   std::uint64_t players_every_ = 10, missiles_every_ = 5, lines_every_ = 250;  // steps
   std::map<std::uint32_t, AcmiObject> objects_;                                ///< by id
   std::map<std::pair<const void*, std::uint32_t>, std::string> labels_;        ///< by tree and node
-  std::vector<bool> there_;  ///< by player: at the last look
+  std::vector<std::optional<std::uint64_t>> seen_;  ///< by player: the step of the last look
   std::vector<AcmiLine> lines_;
   Story story_;
   std::string written_frame_;

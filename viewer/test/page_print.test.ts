@@ -49,3 +49,20 @@ test('and afterwards it is as it was', { skip: kNone }, async () => {
   assert.equal(await page.evaluate(() => getComputedStyle(document.documentElement).colorScheme), 'dark');
   await page.waitForFunction(() => getComputedStyle(document.querySelector('.scene')!).backgroundColor === 'rgb(6, 9, 14)');
 });
+
+test('of a long story every line is printed', { skip: kNone }, async () => {
+  const lines = await page.evaluate(() => {
+    const { story } = window.eyrie!.run;
+    story.push(...Array.from({ length: 500 }, () => story.at(-1)!));  // as of a fight of many
+    return story.length;
+  });
+  await page.fill('.filters input', ' ');
+  const told = (): Promise<number> => page.evaluate(() => document.querySelectorAll('.told').length);
+  await page.waitForFunction(() => document.querySelector('.story .more'));
+  const before = await told();
+  assert.ok(before < lines);
+  await page.evaluate(() => void window.dispatchEvent(new Event('beforeprint')));
+  assert.equal(await told(), lines);
+  await page.evaluate(() => void window.dispatchEvent(new Event('afterprint')));
+  assert.equal(await told(), before);
+});

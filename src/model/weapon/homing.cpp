@@ -268,8 +268,7 @@ DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double ti
   const Dispenser& model = scene.library.dispensers[*dispenser];
   const auto& thrown = scene.decoys[row].thrown;
   const Kinematics& target = scene.kinematics[row];
-  const Vec3 wind_ned = scene.library.environment.wind.at(target.altitude);
-  const Vec3 wind = wind_ned.x * target.north + wind_ned.y * target.east;
+  const Vec3 wind = air_at(target, scene.library.environment.wind);
   const SeekerView view = view_of(k, scene.library.environment.wind, state.side);
   const auto los_of = [&](const DecoyNow& now) {
     return line_of_sight(now.position - k.position, now.velocity - k.velocity);

@@ -212,7 +212,8 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     }
   };
   const fly = async (watch: boolean): Promise<void> => {
-    if (flying || busy || wrong) return;
+    // what the loader said of an earlier text stops nobody: flying reads this one
+    if (flying || busy || no_seed || (has_mistakes && said.is_now)) return;
     put_note('');
     put_busy('Loading');
     try {

@@ -60,7 +60,8 @@ export function use_keys(page: Page, help: Cell<boolean>): void {
       if (event.key === '?') return help.set(true);
       // with caps lock letters are capitals
       const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-      const key = kByKey.get(event.shiftKey ? `Shift+${name}` : name);
+      // some keyboards have digits and brackets behind Shift
+      const key = kByKey.get(event.shiftKey ? `Shift+${name}` : name) ?? (/^[^a-z]$/.test(name) ? kByKey.get(name) : undefined);
       if (!key) return;
       event.preventDefault();
       key.does(page);

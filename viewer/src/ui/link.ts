@@ -46,17 +46,17 @@ function read_taste(said: URLSearchParams): Partial<Taste> {
   return taste;
 }
 
-/** What this browser keeps from page to page; "" for nothing: some are closed to files. */
-export function kept(name: string): string {
+/** What this browser keeps from page to page, or this tab alone; "" for nothing: some are closed to files. */
+export function kept(name: string, in_tab = false): string {
   try {
-    return localStorage.getItem(name) ?? '';
+    return (in_tab ? sessionStorage : localStorage).getItem(name) ?? '';
   } catch {
     return '';
   }
 }
-export function keep(name: string, text: string): void {
+export function keep(name: string, text: string, in_tab = false): void {
   try {
-    localStorage.setItem(name, text);
+    (in_tab ? sessionStorage : localStorage).setItem(name, text);
   } catch { /* as above */ }
 }
 
@@ -132,18 +132,9 @@ export function read_link_in_page(run: Run, fragment: string, duration: number):
 
 // The address that a page has made of another scenario, flown here before, is no link that somebody gave.
 const kOwn = 'eyrie-address';
-function note_own({ about }: Run, fragment: string): void {
-  try {
-    sessionStorage.setItem(kOwn, JSON.stringify([about.scenario, fragment]));
-  } catch { /* some are closed to files */ }
-}
 function is_of_another({ about }: Run, fragment: string): boolean {
-  try {
-    const [scenario, own] = JSON.parse(sessionStorage.getItem(kOwn) ?? '[]') as [string?, string?];
-    return own === fragment && scenario !== about.scenario;
-  } catch {
-    return false;
-  }
+  const own = kept(kOwn, true);
+  return own.endsWith(fragment) && own !== '' && own !== about.scenario + fragment;
 }
 
 /** ms: browsers refuse to have it changed much more often. */
@@ -156,7 +147,7 @@ export function follow_address({ run, store }: Page): () => void {
     timer = null;
     const text = link_text(run, store.get(), location.hash);
     if (text !== location.hash) history.replaceState(history.state, '', text);
-    note_own(run, text);
+    keep(kOwn, run.about.scenario + text, true);
   };
   const stop = store.subscribe((now, before) => {
     if (kTold.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);

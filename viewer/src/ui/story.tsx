@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** What happened, in words; the present is marked, a click goes there. */
+import { options } from 'preact';
 import { useEffect, useLayoutEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
+import { listen } from '../events.ts';
 import type { Run, StoryLine } from '../run/run.ts';
 import { clock_text, reworded } from '../words/text.ts';
 import { show_cause } from './actions.ts';
@@ -111,9 +113,21 @@ export function Story() {
   use_rove(list);
   const stretch = useRef<Stretch>({ first: 0, last: kStretch });
   const [, redraw] = useReducer((n: number) => n + 1, 0);
+  // on paper all of it stands, and at once: the browser does not wait
+  const printed = useRef(false);
+  useEffect(() => {
+    const draw = (is_printed: boolean) => (): void => {
+      const { debounceRendering } = options;
+      options.debounceRendering = (render) => render();
+      printed.current = is_printed;
+      redraw(undefined);
+      options.debounceRendering = debounceRendering;
+    };
+    return listen(window, { beforeprint: draw(true), afterprint: draw(false) });
+  }, []);
   // whoever reads in it is not pulled away
   if (!still.current || stretch.current.last > lines.length) stretch.current = stretch_of(at, lines.length, stretch.current);
-  const { first, last } = stretch.current;
+  const { first, last } = printed.current ? { first: 0, last: lines.length } : stretch.current;
   // drawn once; where the present is in them is written on them afterwards
   const shown = useMemo(() => lines.slice(first, last).map((line) => <Told key={line} page={page} line={line} />),
     [page, lines, first, last]);

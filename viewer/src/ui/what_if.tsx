@@ -3,7 +3,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { words_of } from '../engine/module.ts';
 import type { FirstOther, Outcome, WhatIf as Answer } from '../engine/questions.ts';
-import type { Player } from '../run/run.ts';
+import { last_at, type Player } from '../run/run.ts';
 import { kFlownOn, type Other } from '../scene/other.ts';
 import { clock_text, count_text, outcome_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
@@ -143,7 +143,9 @@ function FlyOn({ player, is_answered }: { player: Player; is_answered: boolean }
   const fly = (): void => {
     const { time } = page.store.get();
     const { dt, steps } = page.run.about;
-    const step = Math.min(Math.round(time / dt), steps);
+    // from the decision that is shown, as the terminal does
+    const shown = time < player.gone ? player.decisions.step[last_at(player.decisions.t, time)] : undefined;
+    const step = shown ?? Math.min(Math.round(time / dt), steps);
     forget(page);
     const mine: FlownOn = { from: step * dt };
     page.future.set(mine);
