@@ -44,11 +44,17 @@ std::string Source::why_unread(const std::string& name, const std::string& asker
   const std::string cannot = "cannot read " + quote_path(name);
   if (folders_)
     return cannot + folders_->why_unread(name, asker);
+  // as the asker has to write it
+  const auto from_asker = [&asker](const std::string& file) {
+    const std::string way =
+        fs::path(file).lexically_relative(fs::path(asker).parent_path()).generic_string();
+    return way.empty() || (file.starts_with(kOwn) && way.starts_with("..")) ? file : way;
+  };
   std::vector<std::string> names;
   for (const auto& [there, text] : files_)
     if (there != asker)
-      names.push_back(there);
-  return cannot + did_you_mean(name, names);
+      names.push_back(from_asker(there));
+  return cannot + did_you_mean(from_asker(name), names);
 }
 
 std::optional<std::string> Source::read(const std::string& name) {

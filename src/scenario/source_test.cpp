@@ -94,6 +94,20 @@ TEST_F(SourceOnDisk, SaysWhyAFileIsNotRead) {
             "cannot read '" + missing + "'; did you mean 'near.yaml'?");
 }
 
+TEST(SourceInABundle, NamesWhatTheAskerCouldWrite) {
+  const Source source = Source::bundle({{"scenarios/mine.yaml", ""},
+                                        {"scenarios/packages/pilots.yaml", "trees: {}"},
+                                        {"eyrie:scenarios/packages/drivers.yaml", "trees: {}"}});
+  EXPECT_EQ(source.why_unread("scenarios/packages/pilot.yaml", "scenarios/mine.yaml"),
+            "cannot read 'scenarios/packages/pilot.yaml'; did you mean 'packages/pilots.yaml'?");
+  EXPECT_EQ(source.why_unread("eyrie:scenarios/packages/driver.yaml", "scenarios/mine.yaml"),
+            "cannot read 'eyrie:scenarios/packages/driver.yaml'; did you mean "
+            "'eyrie:scenarios/packages/drivers.yaml'?");
+  EXPECT_EQ(source.why_unread("eyrie:scenarios/packages/driver.yaml", "eyrie:scenarios/sweep.yaml"),
+            "cannot read 'eyrie:scenarios/packages/driver.yaml'; did you mean "
+            "'packages/drivers.yaml'?");
+}
+
 TEST_F(SourceOnDisk, NamesWhatACopyOfOurScenarioMeant) {
   fs::create_directories(folder_ / "scenarios/packages");
   write("scenarios/packages/pilots.yaml", "trees: {}\n");

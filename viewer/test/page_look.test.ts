@@ -355,7 +355,7 @@ test('the air picture is turned and zoomed by keys, too', { skip: kNoPage }, asy
   assert.equal(await page.evaluate(() => window.eyrie!.store.get().time), time, 'the arrow was not the timeline\'s');
 });
 
-test('two fingers zoom and one turns', { skip: kNoPage || (kWhere !== 'chromium' && 'fingers are those of Chromium') }, async () => {
+test('two fingers zoom, one turns, and one that rests measures', { skip: kNoPage || (kWhere !== 'chromium' && 'fingers are those of Chromium') }, async () => {
   const { x, y, width, height } = await page.box('.scene');
   const [cx, cy] = [x + width / 2, y + height / 2];
   const pose = () => page.evaluate(() => window.eyrie!.store.get().pose!);
@@ -372,9 +372,23 @@ test('two fingers zoom and one turns', { skip: kNoPage || (kWhere !== 'chromium'
   await page.at_rest('.scene');
   const zoomed = await pose();
   assert.ok(zoomed[3] < 0.6 * before[3], `${before[3]} to ${zoomed[3]} km`);
+  await page.evaluate(() => window.eyrie!.store.set({ time: 300, selected: 0, ruler: null, camera: 'whole' }));
+  await page.at_rest('.scene');
+  const mate = await page.evaluate(() => {
+    const { frame: { players, eye } } = window.eyrie!.scene as unknown as { frame: { players: { x: number[]; y: number[]; z: number[] }; eye: { px: number; py: number; project(x: number, y: number, z: number): boolean } } };
+    eye.project(players.x[1]!, players.y[1]!, players.z[1]!);
+    return [eye.px, eye.py] as const;
+  });
+  const resting = await page.touch.touchStart(x + mate[0], y + mate[1]);
+  await page.waitForTimeout(600);
+  await resting.end();
+  assert.deepEqual(await page.evaluate(() => [window.eyrie!.store.get().ruler, window.eyrie!.store.get().selected]), [[0, 1], 0]);
+  await page.evaluate(() => window.eyrie!.store.set({ ruler: null, camera: 'free' }));
+  await page.at_rest('.scene');
+  const turned = await pose();
   const finger = await page.touch.touchStart(cx, cy);
   for (const way of [20, 40, 80]) await finger.move(cx + way, cy);
   await finger.end();
   await page.at_rest('.scene');
-  assert.notEqual((await pose())[4], zoomed[4]);
+  assert.notEqual((await pose())[4], turned[4]);
 });

@@ -2,9 +2,12 @@
 /** Where the camera stands. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { SceneCamera } from '../src/scene/camera.ts';
 import { Eye } from '../src/scene/eye.ts';
 import { fit, height_for_both, kFlatFov, kFov, Rig, type Stance } from '../src/scene/rig.ts';
 import { Sharpness } from '../src/scene/pace.ts';
+import type { Poses } from '../src/scene/motion.ts';
+import type { View } from '../src/store.ts';
 
 const near = (a: number, b: number, by = 1e-6): void => assert.ok(Math.abs(a - b) <= by, `${a} is not within ${by} of ${b}`);
 const stance = (patch: Partial<Stance> = {}): Stance => ({ x: 0, y: 0, z: 0, height: 100, azimuth: 0, polar: 0.9, fov: kFov, ...patch });
@@ -156,4 +159,18 @@ test('fewer pixels while it is too slow and all of them at rest', () => {
   const small = new Sharpness();
   for (let i = 0; i < 60; ++i) small.judge(200, 1280 * 720);
   assert.equal(small.scale, 1);
+});
+
+test('the whole has in it what else there is to be seen', () => {
+  const at = (...x: number[]) => ({ noted: new Uint8Array(x.length).fill(1), x: Float64Array.from(x), y: Float64Array.from(x, () => 8), z: new Float64Array(x.length) });
+  const view = { time: 0, end: 100, camera: 'whole', selected: 0, pose: null } as unknown as View;
+  const other = at(150);
+  for (const [also, seen] of [[[], false], [[other], true]] as const) {
+    const eye = eye_at(stance());
+    const camera = new SceneCamera(true);
+    camera.aim(view, at(-10, 10) as unknown as Poses, eye, -1, [...also]);
+    eye.look(camera.rig.stance());
+    assert.equal(eye.project(150, 8, 0) && eye.on_screen(), seen);
+    assert.ok(eye.project(-10, 8, 0) && eye.on_screen());
+  }
 });

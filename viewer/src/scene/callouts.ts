@@ -7,7 +7,7 @@ import { heading_text, quantity_text } from '../words/text.ts';
 import { climb_words, type Frame, height_words, kCrowd, kSideMark, near_km, x_of, y_of, z_of } from './frame.ts';
 import { convergence, measure } from './geo.ts';
 import { type GhostPoint, ghost_path } from './ghost.ts';
-import { gauge_at, place_at } from './motion.ts';
+import { gauge_at, place_at, type Points } from './motion.ts';
 import { true_heading } from './told.ts';
 
 /** Of those in a crowd who do not matter to the selected player, so many have labels. */
@@ -81,6 +81,15 @@ function path_of(run: Run, player: Player, ghost: Ghost): GhostPoint[] {
     const heading = ghost.heading === null ? null : ghost.heading - convergence(run.origin, start);
     return ghost_path(player, { ...ghost, heading }, kGhostSpan);
   });
+}
+
+/** Where it leads, to be in the picture. */
+export function ghost_points({ run, view: { ghost } }: Frame): Points | null {
+  const player = ghost && run.players[ghost.player];
+  if (!ghost || !player) return null;
+  const path = path_of(run, player, ghost);
+  const of = (axis: (point: GhostPoint) => number): Float64Array => Float64Array.from(path, axis);
+  return { noted: new Uint8Array(path.length).fill(1), x: of(x_of), y: of(y_of), z: of(z_of) };
 }
 
 export function draw_ghost({ run, view, lines, palette, eye, notes }: Frame): void {

@@ -2,7 +2,7 @@
 /** The store's camera and the user's hand, turned into what the rig should do. */
 import type { Pose, View } from '../store.ts';
 import type { Eye } from './eye.ts';
-import type { Poses } from './motion.ts';
+import type { Points, Poses } from './motion.ts';
 import { fit, height_for_both, kFlatFov, kFov, kPace, Rig } from './rig.ts';
 
 /** rad from straight down, in 'whole' and when 'top' is left. */
@@ -16,6 +16,11 @@ const kTogether = 100;
 /** rad: a drag over the height of the picture. */
 const kSwing = 3;
 
+const join = (a: Points, b: Points): Points => ({
+  noted: Uint8Array.from([...a.noted, ...b.noted]),
+  x: Float64Array.from([...a.x, ...b.x]), y: Float64Array.from([...a.y, ...b.y]), z: Float64Array.from([...a.z, ...b.z]),
+});
+
 const still = (camera: View['camera']): boolean => camera === 'free' || camera === 'top';
 
 export class SceneCamera {
@@ -23,7 +28,7 @@ export class SceneCamera {
   private camera: View['camera'] | null = null;
   private followed = -1;
   private nearer = 1;  // Of what the chasing camera would show.
-  private ways: ReturnType<Poses['ways']> | null = null;  // All that was flown.
+  private ways: Points | null = null;  // All that was flown.
   private beside = 0;  // Where the chasing camera looks, from the heading.
   private pose: Pose | null = null;  // As the view has it.
 
@@ -32,7 +37,7 @@ export class SceneCamera {
   }
 
   /** A camera was chosen. */
-  private change(camera: View['camera'], players: Poses, eye: Eye): void {
+  private change(camera: View['camera'], players: Poses, eye: Eye, also: Points[]): void {
     const { goal } = this.rig;
     const before = this.camera;
     this.camera = camera;
@@ -46,7 +51,7 @@ export class SceneCamera {
       goal.polar = 0;
       goal.azimuth = 0;
       if (before === 'follow') goal.height = Math.max(goal.height, 60);
-      if (before === 'whole') this.fit(players, eye, false);
+      if (before === 'whole') this.fit(players, eye, false, also);
     } else if (camera === 'free') {
       if (before === 'top') goal.polar = kTilt;
     } else if (camera === 'whole') {
@@ -61,8 +66,8 @@ export class SceneCamera {
   }
 
   /** In the end all that was flown. */
-  private fit(players: Poses, eye: Eye, at_end: boolean): void {
-    const points = at_end ? (this.ways ??= players.ways()) : players;
+  private fit(players: Poses, eye: Eye, at_end: boolean, also: Points[]): void {
+    const points = [at_end ? (this.ways ??= players.ways()) : players, ...also].reduce(join);
     const span = (of: Float64Array): number => {
       const there = of.filter((_, i) => points.noted[i]);
       return there.reduce((a, b) => Math.max(a, b), -Infinity) - there.reduce((a, b) => Math.min(a, b), Infinity);
@@ -92,13 +97,13 @@ export class SceneCamera {
     rig.goal.height = Math.max(kChase, both ? Math.max(1.1 * apart, height_for_both(rig.goal, dx, dy, dz, aspect)) : 0) * this.nearer;
   }
 
-  /** Sets the goal for this picture. */
-  aim(view: View, players: Poses, eye: Eye, opponent = -1): void {
+  /** Sets the goal for this picture. `also`: what besides the players belongs into the whole. */
+  aim(view: View, players: Poses, eye: Eye, opponent: number, also: Points[]): void {
     const at_end = view.time >= view.end - 0.05;
     const first = this.camera === null;
-    if (this.camera !== view.camera) this.change(view.camera, players, eye);
+    if (this.camera !== view.camera) this.change(view.camera, players, eye, also);
     if (view.camera === 'follow' && view.selected < players.count) this.follow(players, view.selected, opponent, eye.width / Math.max(1, eye.height));
-    if (view.camera === 'whole' || (first && view.camera !== 'follow')) this.fit(players, eye, at_end);
+    if (view.camera === 'whole' || (first && view.camera !== 'follow')) this.fit(players, eye, at_end, also);
     this.placed(view);
     if (first) this.rig.arrive();
   }

@@ -13,17 +13,21 @@ export interface Hand {
   hover(px: number | null, py: number): void;
 }
 
-/** px that a click may wander. */
-const kWander = 4;
+/** px that a click may wander, and a finger. */
+const kWander = { mouse: 4, touch: 12 };
 const kWheel = 0.0014;
 /** px of wheels that count in lines. */
 const kLine = 18;
+/** ms: a finger that rests for so long means what shift and a click do. */
+const kRests = 450;
 
 /** Returns how to stop listening. */
 export function watch_hand(element: HTMLElement, hand: Hand): () => void {
   const pointers = new Map<number, { x: number; y: number }>();
   let wandered = 0;
   let spread = 0;
+  let since = 0;
+  const rests = ({ pointerType }: PointerEvent): boolean => wandered <= kWander[pointerType === 'touch' ? 'touch' : 'mouse'];
   const local = (event: MouseEvent): { x: number; y: number } => {
     const box = element.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
@@ -32,6 +36,7 @@ export function watch_hand(element: HTMLElement, hand: Hand): () => void {
     if (pointers.size === 0) wandered = 0;
     pointers.set(event.pointerId, local(event));
     spread = 0;
+    since = event.timeStamp;
     element.setPointerCapture(event.pointerId);
   };
   const move = (event: PointerEvent): void => {
@@ -42,7 +47,7 @@ export function watch_hand(element: HTMLElement, hand: Hand): () => void {
     const dy = at.y - last.y;
     pointers.set(event.pointerId, at);
     wandered += Math.abs(dx) + Math.abs(dy);
-    if (wandered <= kWander) return;
+    if (rests(event)) return;
     if (pointers.size > 1) {
       const [a, b] = [...pointers.values()] as [typeof at, typeof at];
       const apart = Math.hypot(a.x - b.x, a.y - b.y);
@@ -59,7 +64,8 @@ export function watch_hand(element: HTMLElement, hand: Hand): () => void {
     const was = pointers.get(event.pointerId);
     pointers.delete(event.pointerId);
     spread = 0;
-    if (was && event.type === 'pointerup' && event.button === 0 && wandered <= kWander) hand.click(was.x, was.y, event.shiftKey);
+    if (!was || event.type !== 'pointerup' || event.button !== 0 || !rests(event)) return;
+    hand.click(was.x, was.y, event.shiftKey || (event.pointerType === 'touch' && event.timeStamp - since > kRests));
   };
   const wheel = (event: WheelEvent): void => {
     event.preventDefault();

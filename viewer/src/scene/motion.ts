@@ -113,6 +113,9 @@ export function gauge_at(motion: Motion, gauge: Float64Array, t: number): number
 /** s */
 const kMourned = 10;
 
+/** Places in the scene, km; those not noted do not count. */
+export type Points = Pick<Poses, 'noted' | 'x' | 'y' | 'z'>;
+
 export class Poses {
   shown: Uint8Array = new Uint8Array(0);
   noted: Uint8Array = new Uint8Array(0);  // Shown, or lost so lately that one still wants to see where.
@@ -143,7 +146,7 @@ export class Poses {
   }
 
   /** Places on the ways of all, one of `every` samples and the last. */
-  ways(every = 16): Pick<Poses, 'noted' | 'x' | 'y' | 'z'> {
+  ways(every = 16): Points {
     const of = (axis: 'east' | 'north' | 'up', sign: number): Float64Array => Float64Array.from(this.movers.flatMap(({ motion }) =>
       [...motion[axis]].filter((_, i, all) => i % every === 0 || i === all.length - 1)), (v) => (sign * v) / 1000);
     const x = of('east', 1);

@@ -20,13 +20,21 @@ const kApart = 0.05;
 
 const kPoses = new WeakMap<Run, { players: Poses; missiles: Poses }>();
 
-export function draw_other(frame: Frame): void {
-  const { other, view, players, lines, palette, eye, notes } = frame;
-  if (!other || view.time < other.from) return;
+/** Where all in it are at the time of the picture; null: there is none, or not yet. */
+export function poses_of({ other, view }: Pick<Frame, 'other' | 'view'>): { players: Poses; missiles: Poses } | null {
+  if (!other || view.time < other.from) return null;
   const { run } = other;
   const poses = made(kPoses, run, () => ({ players: new Poses(run.players), missiles: new Poses(run.missiles) }));
   poses.players.update(view.time);
   poses.missiles.update(view.time);
+  return poses;
+}
+
+export function draw_other(frame: Frame): void {
+  const { other, view, players, lines, palette, eye, notes } = frame;
+  const poses = poses_of(frame);
+  if (!other || !poses) return;
+  const { run } = other;
   const place = (all: Poses, i: number): boolean => eye.project(all.x[i]!, all.y[i]!, all.z[i]!) && eye.on_screen();
   const tint = (side: Side): number => palette.side[side];
 

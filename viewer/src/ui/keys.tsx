@@ -89,7 +89,7 @@ export function Help({ open }: { open: Cell<boolean> }) {
         <div><dt>air picture</dt><dd>drag turns, the wheel zooms; with the focus on it arrows turn, shift and arrows push, + and − zoom</dd></div>
         <div><dt>timeline</dt><dd>drag moves the time; a glyph jumps to its event</dd></div>
         <div><dt>strips</dt><dd>click jumps; wheel or drag zooms, shift and wheel moves, a double click shows the whole run</dd></div>
-        <div><dt>players</dt><dd>click selects; with shift, range and bearing to the selected one</dd></div>
+        <div><dt>players</dt><dd>click selects; with shift, the right button or a long touch, range and bearing to the selected one</dd></div>
         <div><dt>losers</dt><dd>in the table of the action: point at one to see in the air picture where it would have led</dd></div>
       </dl>
     </dialog>

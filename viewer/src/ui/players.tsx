@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Everybody in the run: side, type, what became of them, and who leads in their tree now. */
-import { useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { last_at, type Flight, type Player, type Run, type Side } from '../run/run.ts';
 import { clock_text } from '../words/text.ts';
 import { measure, select } from './actions.ts';
@@ -51,8 +51,9 @@ function Line({ player }: { player: Player }) {
     <li>
       <button type="button" class={`player ${fate} ${measured ? 'measured' : ''}`} aria-pressed={selected}
         data-player={name} data-state={fate} data-leader={leader}
-        title={`${name}, ${type}: click selects, shift and click shows range and bearing from the selected one`}
-        onClick={(event) => (event.shiftKey ? measure(page, index) : select(page, index))}>
+        title={`${name}, ${type}: click selects; shift and click, the right button or a long touch shows range and bearing from the selected one`}
+        onClick={(event) => (event.shiftKey ? measure(page, index) : select(page, index))}
+        onContextMenu={(event) => { event.preventDefault(); measure(page, index); }}>
         <kbd>{key}</kbd><SideMark side={side} /><Name name={name} class={`name ${side}`} />
         {fate === 'alive'
           ? <span class="leads">{leader && <Chip label={leader} />}{leader}</span>
@@ -63,9 +64,17 @@ function Line({ player }: { player: Player }) {
 }
 
 export function Players() {
-  const { run } = use_page();
+  const { run, store } = use_page();
   const list = useRef<HTMLElement>(null);
+  const selected = use_view(store, (v) => v.selected);
   use_rove(list);
+  // the list itself moves, not the page around it
+  useEffect(() => {
+    const [box, line] = [list.current, list.current?.querySelector('[aria-pressed=true]')?.getBoundingClientRect()];
+    if (!box || !line) return;
+    const { top, bottom } = box.getBoundingClientRect();
+    box.scrollTop += Math.max(0, line.bottom - bottom) - Math.max(0, top - line.top);
+  }, [selected]);
   return (
     <section class="players" aria-label="Players" ref={list}>
       {run.flights.map((flight) => (

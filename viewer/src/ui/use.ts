@@ -54,7 +54,7 @@ export function use_decision(): { player: Player; index: number } {
 }
 
 /** Where panels become sheets; as in layout.css. */
-export const kNarrow = 'screen and (max-width: 899.9px)';
+export const kNarrow = 'screen and (max-width: 56.24em)';
 
 /** CSS pixels; [0, 0] until it is laid out. */
 export function use_size(ref: RefObject<HTMLElement | null>): [number, number] {
