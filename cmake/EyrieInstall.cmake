@@ -30,6 +30,7 @@ if(EYRIE_UBF_ONLY)
   return()
 endif()
 
+install(FILES ${PROJECT_BINARY_DIR}/generated/scenario/header_print.hpp DESTINATION include/eyrie/scenario COMPONENT library)
 install(TARGETS eyrie DESTINATION bin COMPONENT program)
 install(DIRECTORY data scenarios DESTINATION share/eyrie COMPONENT program)
 install(FILES ${PROJECT_BINARY_DIR}/viewer/debrief.html ${PROJECT_BINARY_DIR}/viewer/playground.html

@@ -52,6 +52,25 @@ function(eyrie_layer name)
   endif()
 endfunction()
 
+# eyrie_header_print(TARGET layers...)
+# Gives TARGET scenario/header_print.hpp, which is another as soon as a header of one of the layers is.
+function(eyrie_header_print target)
+  set(folder ${PROJECT_BINARY_DIR}/generated)
+  set(headers "")
+  foreach(layer ${ARGN})
+    file(GLOB_RECURSE of_layer CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${layer}/*.hpp)
+    list(APPEND headers ${of_layer})
+  endforeach()
+  list(JOIN ARGN "," layers)
+  add_custom_command(OUTPUT ${folder}/stamp BYPRODUCTS ${folder}/scenario/header_print.hpp VERBATIM
+                     DEPENDS ${headers} ${PROJECT_SOURCE_DIR}/cmake/header_print.cmake
+                     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR}/src -D LAYERS=${layers}
+                             -D OUT=${folder}/scenario/header_print.hpp -P ${PROJECT_SOURCE_DIR}/cmake/header_print.cmake
+                     COMMAND ${CMAKE_COMMAND} -E touch ${folder}/stamp)
+  target_sources(${target} PRIVATE ${folder}/stamp)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
+endfunction()
+
 # eyrie_optimizes(TARGET LAYER)
 # Compiling is what counts where little time is spent running: -O1 for what reads, asks and writes beside a run. Sanitized code is
 # slow to compile as it is to run: there only what flies is optimized.

@@ -4,7 +4,7 @@
 # plug-ins, or a plug-in and the program, never take each other's functions; the floating-point flags of Eyrie come with
 # its targets. With TEST also the test NAME: sources in the words of GoogleTest and pilot/testing.hpp, whose decide()
 # knows the plug-in's nodes. Each SCENARIO must pass `eyrie validate`. Editors find the JSON schema of scenarios with the
-# plug-in's nodes in the build folder, eyrie.schema.json.
+# plug-in's nodes in the build folder, NAME.schema.json.
 function(eyrie_add_plugin name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "TEST;SCENARIO")
   add_library(${name}_objects OBJECT ${ARG_UNPARSED_ARGUMENTS})
@@ -17,7 +17,7 @@ function(eyrie_add_plugin name)
   target_link_libraries(${name}_plugin PRIVATE ${name}_objects)
   target_link_options(${name}_plugin PRIVATE LINKER:--exclude-libs,ALL LINKER:--no-undefined)
   add_custom_command(TARGET ${name}_plugin POST_BUILD VERBATIM
-                     COMMAND ${Eyrie_PROGRAM} catalog --json-schema --plugin $<TARGET_FILE:${name}_plugin> > eyrie.schema.json)
+                     COMMAND ${Eyrie_PROGRAM} catalog --json-schema --plugin $<TARGET_FILE:${name}_plugin> > ${name}.schema.json)
   if(ARG_TEST)
     find_package(GTest REQUIRED)
     add_executable(${name}_test ${ARG_TEST} ${Eyrie_SHARE}/plugin_test_main.cpp)

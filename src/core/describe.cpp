@@ -208,8 +208,10 @@ std::vector<ParamInfo> parameters(const Description& type, const void* defaults)
 }
 
 void check_values(const Description& type, const void* object, std::string_view path,
-                  std::vector<std::string>& problems) {
+                  std::vector<std::string>& problems, bool defaults) {
   for (const Parameter& p : type.parameters) {
+    if (defaults && p.is_required)
+      continue;
     ParamInfo rule = brief_info(p);
     rule.name.insert(0, path);
     check_value(*p.type, p.of(object), rule, problems);

@@ -278,9 +278,10 @@ constexpr Description DescriptionOf<T>::value{T::type_name, kParameters<T>, fres
 
 [[nodiscard]] std::vector<ParamInfo> parameters(const Description& type, const void* defaults);
 /// Adds what is wrong with the parameters of an object, in words, which may have been set by code;
-/// `path` stands before their names.
+/// `path` stands before their names. `defaults`: it is a fresh one, of which a required parameter
+/// says nothing.
 void check_values(const Description& type, const void* object, std::string_view path,
-                  std::vector<std::string>& problems);
+                  std::vector<std::string>& problems, bool defaults = false);
 /// Adds the parameters of an object that have a value; `path` stands before their names. A type of
 /// its own binding brings `list_parts(value, name, values)`, found next to it, or is left out.
 void list_values(const Description& type, const void* object, std::string_view path,

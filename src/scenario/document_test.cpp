@@ -95,7 +95,7 @@ TEST(Document, NamesFilesThatAreMissing) {
   EXPECT_EQ(load({{"dir/a.yaml", "include: \"\\e[2J\"\n"}}).mistakes,
             "dir/a.yaml:1:10: cannot read 'dir/\\x1b[2J'");
   EXPECT_EQ(load({{"dir/a.yaml", "include: p/pilot.yaml\n"}, {"dir/p/pilots.yaml", ""}}).mistakes,
-            "dir/a.yaml:1:10: cannot read 'dir/p/pilot.yaml'; did you mean 'dir/p/pilots.yaml'?");
+            "dir/a.yaml:1:10: cannot read 'dir/p/pilot.yaml'; did you mean 'p/pilots.yaml'?");
 }
 
 TEST(Document, RefusesIncludesThatAreNoFileNames) {

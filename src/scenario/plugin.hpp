@@ -11,6 +11,7 @@
 #include "model/library.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
+#include "scenario/header_print.hpp"
 #include "ubf/composite.hpp"
 
 namespace eyrie::scenario {
@@ -71,7 +72,11 @@ class Registrar {
     else if (name == ubf::kTreeReference)
       problems_.push_back(fmt::format("{} is no name for a node", quote(name)));
     else
-      registry.add_type(type, origin_);
+      try {
+        registry.add_type(type, origin_);
+      } catch (const std::logic_error& refused) {
+        problems_.push_back(refused.what());
+      }
   }
 
   Registries& registries_;
@@ -87,18 +92,10 @@ inline constexpr std::uint32_t kPluginFormat = 1;
 /// A fingerprint of what a plug-in and the program hand to each other. Another one means that they
 /// were compiled with other headers, or with another kind of standard library.
 [[nodiscard]] constexpr std::uint64_t plugin_layout() {
-  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  for (const std::size_t size : {sizeof(std::string),      sizeof(ubf::NodeInfo),
-                                 sizeof(ParamInfo),        sizeof(Value),
-                                 sizeof(Registrar),        sizeof(Registries),
-                                 sizeof(pilot::Behavior),  sizeof(pilot::Tick),
-                                 sizeof(pilot::State),     sizeof(pilot::Action),
-                                 sizeof(pilot::Proposal),  sizeof(pilot::Agent),
-                                 sizeof(driver::State),    sizeof(driver::Action),
-                                 sizeof(driver::Agent),    sizeof(model::Kinematics),
-                                 sizeof(model::TrackFile), sizeof(model::DatalinkState),
-                                 sizeof(model::Threats),   sizeof(model::Stores),
-                                 sizeof(model::Library),   sizeof(ubf::AnyTrace)})
+  std::uint64_t hash = kHeaderPrint;  // continued by FNV-1a
+  for (const std::size_t size : {sizeof(std::string), sizeof(std::function<void()>),
+                                 sizeof(Registrar), sizeof(Registries), sizeof(pilot::State),
+                                 sizeof(pilot::Agent), sizeof(driver::State), sizeof(driver::Agent)})
     hash = (hash ^ size) * 0x100000001b3;
   return hash;
 }

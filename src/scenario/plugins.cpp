@@ -13,6 +13,18 @@
 namespace eyrie::scenario {
 namespace {
 
+/// A name is a key of files and, unless a file has another, a label.
+std::optional<std::string> word_problem(std::string_view name) {
+  constexpr std::string_view kTaken[] = {"not", "and",  "or",    "null", "yes", "no",
+                                         "on",  "true", "false", "off",  "any"};
+  const auto fits = [](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-'; };
+  if (name.empty() || !is_letter(name.front()) || !std::ranges::all_of(name, fits))
+    return quote(name) + " is no word: a letter, then letters, digits, '_' and '-'";
+  if (std::ranges::find(kTaken, name) != std::end(kTaken))
+    return quote(name) + " means something else in a scenario";
+  return ubf::label_problem(name);
+}
+
 /// What is wrong with the names that nodes and their parameters have.
 template <class State, class Action>
 void check_names(const ubf::Registry<State, Action>& registry, std::string_view origin,
@@ -20,8 +32,7 @@ void check_names(const ubf::Registry<State, Action>& registry, std::string_view 
   for (const ubf::NodeInfo& node : registry.catalog()) {
     if (node.origin != origin)
       continue;
-    if (const auto problem =
-            ubf::label_problem(node.name))  // which it is unless a file has another
+    if (const auto problem = word_problem(node.name))
       problems.push_back("the name of a node: " + *problem);
     for (const ubf::StateField<State>& field : ubf::StateFields<State>::all())
       if (field.info.name == node.name && field.info.kind == ubf::FieldKind::flag)

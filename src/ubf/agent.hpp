@@ -75,7 +75,7 @@ class Trees {
 template <class State, class Action, std::size_t Bytes>
 Status tick_agent(const Trees<State, Action>& trees, Brain<Bytes>& brain, Tick<State> tick,
                   Proposal<Action>& out) {
-  EYRIE_ASSERT(brain.tree < trees.size());
+  EYRIE_DEMAND(brain.tree < trees.size(), "a brain with a tree that there is not");
   const auto& tree = trees[brain.tree];
   EYRIE_DEMAND(tree.memory_bytes() <= Bytes, "a brain smaller than the memory of its tree");
   tick.memory = brain.memory.data();

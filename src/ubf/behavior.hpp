@@ -65,6 +65,8 @@ template <class State, class Action>
 
 template <class State, class Action>
 class Appraiser;
+template <class Action>
+class Trace;
 
 /// A node of a tree over one kind of state and action.
 template <class State, class Action>
@@ -114,13 +116,26 @@ class Behavior : public AnyNode {
   }
   [[gnu::noinline]] Status look_at(const Tick<State>& t, Status status,
                                    Proposal<Action>& out) const {
+    const auto refuse = [&] {
+      if (memory_end_ != memory_begin_)  // what was going on in it forgets
+        std::memset(t.memory + memory_begin_, 0, memory_end_ - memory_begin_);
+      return Status::failure;
+    };
     if (status > Status::success) {
       if (t.mistake && t.mistake->node == kNone)
         *t.mistake = {index_, fmt::format("answers what means nothing: status is {}",
                                           static_cast<unsigned>(status))};
-      if (memory_end_ != memory_begin_)  // what was going on in it forgets
-        std::memset(t.memory + memory_begin_, 0, memory_end_ - memory_begin_);
-      return fails(t, "its status is none of failure, running and success");
+      static_cast<void>(fails(t, "its status is none of failure, running and success"));
+      return refuse();
+    }
+    // a stranger may change what a child proposed, which was looked at there
+    if (status != Status::failure && out.leader != kNone) {
+      if (implausible_field(out.action) != kFields<Action>) {
+        detail::note_mistake(t, index_, out);
+        return refuse();
+      }
+      if (t.trace)
+        Trace<Action>::of(*t.trace).changed(index_, out.action, children_);
     }
     if (vote_curve_)
       weigh(t, out);
@@ -177,7 +192,11 @@ class Appraiser : public Behavior<State, Action> {
 /// has a `ChildSlot child`, that is the child in charge.
 template <class Base, NodeMemory Memory>
 class WithMemory : public Base {
+  static_assert(!requires { Base::kRemembers; },
+                "the base has a memory already; add to its struct what else is remembered");
+
  public:
+  static constexpr bool kRemembers = true;
   using Base::Base;
   using TickType = Tick<typename Base::StateType>;
 

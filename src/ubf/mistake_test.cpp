@@ -160,6 +160,55 @@ TEST(Mistake, TheFirstOfATickIsTold) {
   EXPECT_EQ(mistake.what, "votes what means nothing: vote is -1");
 }
 
+/// Changes what its child proposes: the state says how.
+class Shifted final : public Decorator<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "shifted";
+  using Decorator::Decorator;
+  Status tick(const RobotTick& t, RobotProposal& out) const override {
+    const Status status = ask_child(t, out);
+    if (out.action.altitude)
+      *out.action.altitude += t.state.range;
+    return status;
+  }
+};
+
+TEST(Mistake, IsWhatAStrangerMakesOfItsChildsProposal) {
+  RobotRegistry registry;
+  add_standard_nodes(registry);
+  registry.add<Probe>();
+  registry.add<Shifted>("a plug-in");
+  Robot robot(build("{priority: [{shifted: {probe: {cue: 0}}}, {probe: {cue: 1}}]}", {}, registry));
+  robot.cue(0) = {kRunning, 9, {.heading = 1, .altitude = 100}};
+  robot.cue(1) = {kRunning, 1, {.altitude = 7}};
+  for (const double by : {std::nan(""), static_cast<double>(kInfinity)}) {
+    robot.state.range = by;
+    EXPECT_EQ(robot.tick(), kRunning);
+    EXPECT_EQ(robot.out.action.altitude, 7);
+    EXPECT_EQ(robot.row("root/shifted").status, kFailure);
+    EXPECT_STREQ(robot.trace.why(1), "altitude is no plausible number");
+    EXPECT_EQ(robot.asked("root/shifted/probe"), 0u) << "what went on in it forgets";
+    Mistake mistake;
+    robot.tree.tick({.state = robot.state, .memory = robot.slab.data(), .mistake = &mistake},
+                    robot.out);
+    EXPECT_EQ(mistake.node, 1);
+  }
+  robot.state.range = 50;
+  EXPECT_EQ(robot.tick(), kRunning);
+  EXPECT_EQ(robot.out.action.altitude, 150);
+  const auto& row = robot.row("root");
+  EXPECT_EQ(row.supplier[0], robot.node("root/shifted/probe")) << "it left the heading alone";
+  EXPECT_EQ(row.supplier[1], robot.node("root/shifted"));
+}
+
+TEST(Mistake, IsWhatGoesOutOfATreeInCodeToo) {
+  Robot robot(make<Shifted>(probe(0)));
+  robot.cue(0) = {kRunning, 9, {.altitude = 100}};
+  robot.state.range = std::nan("");
+  EXPECT_EQ(robot.tick(), kFailure);
+  EXPECT_TRUE(robot.out.is_empty());
+}
+
 /// Judges the second candidate with what is no number.
 class Dizzy final : public Appraiser<State, Action> {
  public:

@@ -321,7 +321,7 @@ void NodeReader::read_children(AnyNode& node, const NodeSpec& spec) {
   if (spec.body->is_list()) {
     bind(node, Value::map({}, spec.where), {});
   } else {
-    if (!refuse_nodes_as_keys(spec))
+    if (!refuse_nodes_as_keys(node, spec))
       return;
     if (const Value* child = spec.body->find("child"); child && !takes_one) {
       diagnostics_.error(child->where, "{} has 'children', a list, and no 'child'", spec.type);
@@ -375,9 +375,10 @@ void NodeReader::read_slots(AnyNode& node, const NodeSpec& spec) {
 }
 
 /// `winner_takes_all: {navigate: ..., pursue: ...}` is meant as a list.
-bool NodeReader::refuse_nodes_as_keys(const NodeSpec& spec) {
+bool NodeReader::refuse_nodes_as_keys(const AnyNode& node, const NodeSpec& spec) {
   for (const auto& entry : spec.body->entries) {
-    if (!registry_.find(entry.key))
+    if (!registry_.find(entry.key) || entry.key == "children" || entry.key == "child" ||
+        node.type_->parameters->find(entry.key))
       continue;
     diagnostics_.error(
         entry.where, "{} is a node, not a parameter of {}; write children as a list: {}: [{}, ...]",

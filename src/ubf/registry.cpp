@@ -29,13 +29,31 @@ const NodeInfo* AnyRegistry::find(std::string_view name) const {
 }
 
 void AnyRegistry::add(const NodeType& type, std::string origin) {
-  EYRIE_THROW_UNLESS(type.name != kTreeReference && !find(type.name),
-                     "two types of node have the same name");
-  EYRIE_THROW_UNLESS(type.make != nullptr, "a type that files name is made without arguments");
+  const auto refuse = [&type](std::string_view why) {
+    throw std::logic_error(fmt::format("node {} {}", quote(type.name), why));
+  };
+  if (type.name == kTreeReference || find(type.name))
+    refuse("is there already");
+  if (!type.make)
+    refuse("cannot be made without arguments, as files do");
   // of a type that is made at run time only its nodes know the defaults
-  const std::shared_ptr<void> fresh = type.parameters->fresh ? type.parameters->fresh() : nullptr;
-  const std::unique_ptr<AnyNode> node = fresh ? nullptr : type.make(type);
+  std::shared_ptr<void> fresh;
+  std::unique_ptr<AnyNode> node;
+  try {
+    if (type.parameters->fresh)
+      fresh = type.parameters->fresh();
+    else
+      node = type.make(type);
+  } catch (const std::bad_alloc&) {  // nobody's mistake
+    throw;
+  } catch (const std::exception& e) {
+    refuse(fmt::format("could not be made: {}", e.what()));
+  }
   const void* const defaults = fresh ? fresh.get() : type.object(*node);
+  std::vector<std::string> problems;
+  eyrie::detail::check_values(*type.parameters, defaults, "", problems, true);
+  if (!problems.empty())
+    refuse("has a default that is none: " + problems.front());
   by_name_.emplace(type.name, infos_.size());
   types_.push_back(&type);
   infos_.push_back({.name = std::string(type.name),

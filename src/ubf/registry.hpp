@@ -62,14 +62,15 @@ class Registry : public AnyRegistry {
 
   Registry() : AnyRegistry(state_field_infos<State>()) {}
 
-  /// Refuses (std::logic_error) a name that is taken.
+  /// Refuses (std::logic_error) a name that is taken, a type whose nodes cannot be made, and one
+  /// with a default outside of its own range.
   template <std::derived_from<Node>... B>
   void add(const std::string& origin = "eyrie") {
     (AnyRegistry::add(kNodeType<B>, origin), ...);
   }
 
   /// A type that is made at run time: its nodes are of this state and action, and it outlives this
-  /// registry. Refuses (std::logic_error) a name that is taken.
+  /// registry. Refuses what add() does.
   void add_type(const NodeType& type, std::string origin) {
     AnyRegistry::add(type, std::move(origin));
   }
@@ -146,7 +147,7 @@ class NodeReader {
   void read_leaf(AnyNode& node, const NodeSpec& spec);
   void read_children(AnyNode& node, const NodeSpec& spec);
   void read_slots(AnyNode& node, const NodeSpec& spec);
-  [[nodiscard]] bool refuse_nodes_as_keys(const NodeSpec& spec);
+  [[nodiscard]] bool refuse_nodes_as_keys(const AnyNode& node, const NodeSpec& spec);
 
   const AnyRegistry& registry_;
   std::span<const NamedSpec> trees_;

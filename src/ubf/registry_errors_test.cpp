@@ -235,19 +235,15 @@ struct Loud final : Node {
   float vote = 2000;
 };
 
-TEST(RegistryErrors, ADefaultOutOfItsRangeIsToldInLinesOfItsOwn) {
+TEST(RegistryErrors, ADefaultOutOfItsRangeIsRefusedWithItsNode) {
   Registry<State, Action> registry = standard_registry();
-  registry.add<Loud>();
-  const auto said = [&](std::string_view text) {
-    Diagnostics diagnostics;
-    static_cast<void>(
-        registry.build_tree("test", parse_yaml(text, "test.yaml", diagnostics), diagnostics));
-    return diagnostics.text();
-  };
-  EXPECT_EQ(said("{selector: [loud]}"),
-            "test.yaml:1:1: tree 'test' cannot be made\n"
-            "test.yaml:1:1: root/loud: loud: vote: 2000 is outside [0, 1000]");
-  EXPECT_EQ(said("{selector: [{loud: {vote: 3}}]}"), "");
+  try {
+    registry.add<Loud>();
+    FAIL() << "it was taken";
+  } catch (const std::logic_error& refused) {
+    EXPECT_STREQ(refused.what(),
+                 "node 'loud' has a default that is none: vote: 2000 is outside [0, 1000]");
+  }
 }
 
 TEST(RegistryErrors, ADefaultThatContainsItselfIsRefusedWithTheWayRound) {

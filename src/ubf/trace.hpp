@@ -81,6 +81,18 @@ class Trace final : public AnyTrace {
       rows_[node].supplier[i] = action.*f.member ? child : kNone;
     });
   }
+  /// Of what `node` sends up that which none of its children proposed is its own.
+  void changed(NodeIndex node, const Action& action,
+               std::span<const std::unique_ptr<AnyNode>> children) {
+    Row& row = rows_[node];
+    for_each_field<Action>([&](const auto& f, auto i) {
+      const auto& value = action.*f.member;
+      if (value && !row.held[i] && std::ranges::none_of(children, [&](const auto& child) {
+            return rows_[child->index()].proposal.action.*f.member == value;
+          }))
+        row.supplier[i] = node;
+    });
+  }
   /// `node` hands on what `child` proposed.
   void took(NodeIndex node, NodeIndex child) {
     rows_[node].supplier = rows_[child].supplier;

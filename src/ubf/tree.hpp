@@ -23,14 +23,15 @@ class Tree : public AnyTree {
   /// One decision. `t.memory` must be this agent's slab: memory_bytes() bytes at an address that
   /// is a multiple of 8, zero before the first tick. After a failure `out` is empty.
   Status tick(const Tick<State>& t, Proposal<Action>& out) const {
-    EYRIE_ASSERT(t.memory != nullptr || memory_bytes() == 0);
+    EYRIE_DEMAND(t.memory != nullptr || memory_bytes() == 0, "a tick without the agent's memory");
     EYRIE_ASSERT(reinterpret_cast<std::uintptr_t>(t.memory) % 8 == 0);
     if (t.trace) [[unlikely]]
       Trace<Action>::of(*t.trace).begin(size());
     out.clear();
     Status status = root().decide(t, out);
-    if (status != Status::failure && !(is_vote(out.vote) && fields_mean_something(out)))
-        [[unlikely]] {
+    // also what a node on the way up changed
+    if (status != Status::failure &&
+        !(is_vote(out.vote) && implausible_field(out.action) == kFields<Action>)) [[unlikely]] {
       detail::note_mistake(t, 0, out);
       if (memory_bytes())
         std::memset(t.memory, 0, memory_bytes());

@@ -53,8 +53,10 @@ class ClimbForAWhile final : public ubf::WithMemory<Behavior, ClimbMemory> {
     auto& m = memory(t);
     if (m.end == 0)
       m.end = t.time + patience_;
-    if (ubf::passed(t.time, m.end, 0))
+    if (ubf::passed(t.time, m.end, 0)) {
+      m = {};
       return Status::success;
+    }
     out.action.altitude = t.state.own.altitude + 1000;
     out.vote = 15;
     return Status::running;

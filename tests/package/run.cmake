@@ -53,7 +53,7 @@ endfunction()
 file(MAKE_DIRECTORY ${WORK}/empty)
 type(${PAGE} ${WORK}/empty "100% tests passed, 0 tests failed out of 2"
      "turns its back on who is near .of libveer_off.so." "the same, [0-9]+ steps")
-file(STRINGS ${WORK}/empty/veer_off/build/eyrie.schema.json known REGEX "turns its back on who is near")
+file(STRINGS ${WORK}/empty/veer_off/build/veer_off.schema.json known REGEX "turns its back on who is near")
 if(NOT known)
   message(FATAL_ERROR "the schema of a plug-in does not know its behavior")
 endif()

@@ -83,12 +83,18 @@ TEST(PluginLoading, SaysEverythingThatIsWrongWithNames) {
 
 TEST(PluginLoading, RefusesNamesThatMeanSomethingElseOrNothing) {
   EXPECT_EQ(words_about(plugin("misnamed")),
-            (Words{"the name of a node: must not be empty",
-                   "the name of a node: 'a/b[0]' must not contain '/', '[' or ']'",
+            (Words{"node 'unmade' could not be made: no licence",
+                   "node 'unfit' has a default that is none: below: 200 m is outside [0 m, 100 m]",
+                   "the name of a node: '' is no word: a letter, then letters, digits, '_' and '-'",
+                   "the name of a node: 'a/b[0]' is no word: a letter, then letters, digits, '_' "
+                   "and '-'",
                    "'leads' is no name for a node: alone it is the condition that this field of "
                    "the state is true",
                    "node 'twice': 'than' is no name for a parameter, it is taken",
-                   "node 'twice': 'name' is no name for a parameter, it is taken"}));
+                   "node 'twice': 'name' is no name for a parameter, it is taken",
+                   "the name of a node: 'range < 10 nmi' is no word: a letter, then letters, "
+                   "digits, '_' and '-'",
+                   "the name of a node: 'not' means something else in a scenario"}));
 }
 
 TEST(PluginLoading, RefusesWhatWasBuiltForAnotherEyrieBeforeRunningIt) {

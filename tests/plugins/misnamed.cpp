@@ -21,6 +21,25 @@ struct Number final : Named {
   static constexpr std::string_view type_name = "range";
 };
 
+struct Sentence final : Named {
+  static constexpr std::string_view type_name = "range < 10 nmi";
+};
+struct Not final : Named {
+  static constexpr std::string_view type_name = "not";
+};
+struct Unmade final : Named {
+  static constexpr std::string_view type_name = "unmade";
+  Unmade() { throw std::runtime_error("no licence"); }
+};
+struct Unfit final : Named {
+  static constexpr std::string_view type_name = "unfit";
+  static constexpr auto params() {
+    return std::tuple{
+        eyrie::param("below", &Unfit::below, "m", eyrie::range(0, 100), "its default is above")};
+  }
+  double below = 200;
+};
+
 /// Two parameters of one name, one with that of the label.
 struct Twice final : Named {
   static constexpr std::string_view type_name = "twice";
@@ -38,4 +57,8 @@ EYRIE_PLUGIN([](eyrie::scenario::Registrar& registrar) {
   registrar.add<Flag>();
   registrar.add<Number>();
   registrar.add<Twice>();
+  registrar.add<Sentence>();
+  registrar.add<Not>();
+  registrar.add<Unmade>();
+  registrar.add<Unfit>();
 })

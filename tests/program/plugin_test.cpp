@@ -74,7 +74,7 @@ TEST_F(PluggedProgram, FliesTheBehaviorOfTheReadmeInTheSweepAndSeesItWin) {
   const std::string written = read_text(folder / "greet/greet.yaml");
   EXPECT_EQ(written.substr(written.find('\n') + 1), sweep);
   EXPECT_EQ(written.substr(0, written.find('\n')),
-            "# yaml-language-server: $schema=build/eyrie.schema.json");
+            "# yaml-language-server: $schema=build/greet.schema.json");
 
   std::filesystem::create_directories(folder / "greet/build");
   std::filesystem::copy_file(plugin("greet"), folder / "greet/build/libgreet.so");
