@@ -48,7 +48,7 @@ void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
 
 CampaignSource::CampaignSource(Spec& spec, const std::vector<std::string>& typed,
                                const std::vector<std::string>& includes) {
-  static_cast<void>(locate(spec.scenario, includes, spec.scenario_where));
+  const std::string file = locate(spec.scenario, includes, spec.scenario_where).file;
   demand_trust(spec, typed);
   for (const std::string& plugin : typed)
     if (!has_file(spec.plugins, plugin))
@@ -56,7 +56,7 @@ CampaignSource::CampaignSource(Spec& spec, const std::vector<std::string>& typed
   plugins_ = spec.plugins;
   spec.includes = includes;
   check(spec, [&](const std::vector<std::string>& sets) {
-    auto loaded = load_scenario(spec.scenario, sets, spec.plugins, spec.includes);
+    auto loaded = load_scenario(file, sets, spec.plugins, spec.includes);
     scenario_ = loaded->file;
     files_.insert(loaded->files.begin(), loaded->files.end());
     for (const scenario::PluginFile& plugin : loaded->plugins)

@@ -135,17 +135,17 @@ std::vector<std::string> runs_in(const fs::path& folder) {
   return names;
 }
 
-std::string scenario_file(const std::string& name) {
+std::string scenario_file(const std::string& name, bool may_be_path) {
   const std::string wanted = name.empty() ? "sweep" : name;
   std::error_code ignored;
-  if (fs::is_regular_file(wanted, ignored))
+  if (may_be_path && fs::is_regular_file(wanted, ignored))
     return wanted;
   const std::string_view own = scenario::Source::kOwn;
   const fs::path shipped = wanted.starts_with(own)
                                ? fs::path(home()) / wanted.substr(own.size())
                                : fs::path(home()) / "scenarios" / (wanted + ".yaml");
   if (!fs::is_regular_file(shipped, ignored))
-    return wanted;
+    return may_be_path ? wanted : "";
   // relative if that is shorter to read
   const fs::path here = fs::current_path(ignored);
   if (ignored)
@@ -162,11 +162,19 @@ Located locate(const std::string& name, const std::vector<std::string>& includes
   for (const std::string& folder : includes)
     if (!fs::is_directory(folder, ignored))
       refuse("eyrie: --allow-include {}: there is no such folder", quote_path(folder));
-  const std::string file = scenario_file(name);
+  // a file names one of ours, or a file that its own includes might be
+  const std::string asker(where.file.text());
+  const std::string file = scenario_file(name, asker.empty() || name.ends_with(".yaml"));
+  if (!asker.empty() && !file.empty()) {
+    auto source = scenario::Source::disk(there, includes);
+    source.confine_to_folder_of(asker);
+    if (const std::string whole = fs::absolute(file, ignored).string(); source.is_outside(whole))
+      refuse_at(where, source.why_unread(whole, asker));
+  }
   const auto is_run = [&](const fs::path& path) {
     return path.filename() == record::kRunFileName && fs::is_regular_file(path, ignored);
   };
-  if (is_run(file) || is_run(fs::path(file) / record::kRunFileName))
+  if (is_run(file) || (!file.empty() && is_run(fs::path(file) / record::kRunFileName)))
     refuse_at(where, quote(name) + " is a run, no scenario: 'eyrie replay' flies it again");
   if (fs::is_regular_file(file, ignored))
     return {file, scenario::Source::disk(there, includes)};

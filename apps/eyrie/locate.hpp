@@ -31,11 +31,11 @@ namespace eyrie::app {
 /// The run folders in a folder, sorted.
 [[nodiscard]] std::vector<std::string> runs_in(const std::filesystem::path& folder);
 
-/// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
-[[nodiscard]] std::string scenario_file(const std::string& name);
+/// The file that a name means: itself if it may be and is one, or scenarios/<name>.yaml.
+[[nodiscard]] std::string scenario_file(const std::string& name, bool may_be_path = true);
 
 /// The same, and what it is read from. Throws Mistake if there is no such file, or ConfigError if a
-/// file names it at `where`.
+/// file names it at `where`, which may name no other than ours and what it might include.
 struct Located {
   std::string file;
   scenario::Source source;

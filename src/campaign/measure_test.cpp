@@ -106,6 +106,8 @@ swept: {what: holds, if: red == 2 and end > 10 min and exchange.per > 1}
 beaten: {what: holds, if: red < 2 or blue > 1}
 various: {what: variety, who: eagle1}
 nimble: {what: motion_variety, who: eagle1}
+warned: {what: event, event: rwr_warning, take: most, value: bearing}
+unwarned: {what: event, event: rwr_warning, take: least, value: bearing}
 pressed: {what: decision, node: pursue, if: missile_range < 0.001 nmi, take: any}
 )"),
                        log);
@@ -148,6 +150,8 @@ pressed: {what: decision, node: pursue, if: missile_range < 0.001 nmi, take: any
   EXPECT_EQ(v.at("pursuit"), log.first_pursuit);
   EXPECT_NEAR(v.at("height"), log.altitude, 50) << "at the last decision, not at the last step";
   EXPECT_EQ(v.at("pressed"), 0);
+  EXPECT_GT(v.at("warned"), kPi) << "bearings count from 0 to 360 deg, as in tables";
+  EXPECT_GE(v.at("unwarned"), 0);
   EXPECT_EQ(v.at("swept"), 1);
   EXPECT_EQ(v.at("beaten"), 0);
   for (const auto& [name, counts] : {std::pair("various", log.led), {"nimble", log.moved}}) {

@@ -287,8 +287,13 @@ Query::Query(const MeasureSpec& spec, const Flight& flight, Diagnostics& diagnos
 }
 
 double Query::field(const Case& c, std::size_t index) const {
-  if (index < own_values_.size())
-    return c.values[own_values_[index]];
+  if (index < own_values_.size()) {
+    const std::uint8_t own = own_values_[index];
+    const auto value = static_cast<double>(c.values[own]);
+    const auto about = model::event_values(kind_);
+    const bool is_angle = own < about.size() && about[own].unit.dimension == Dimension::angle;
+    return is_angle ? wrap_tau(value) : value;  // as in tables of events
+  }
   if (index == own_values_.size())
     return c.time;
   const std::size_t of = index - own_values_.size() - 1;

@@ -211,6 +211,8 @@ Spec bind_spec(const Value& document, const std::string& file,
   by_hand.insert(by_hand.end(), also.begin(), also.end());
   bind(spec, document, diagnostics, by_hand);
   spec.file = file;
+  if (const Value* scenario = document.find("scenario"); scenario && spec.scenario.empty())
+    diagnostics.error(scenario->where, "scenario: expected a name or a file, got ''");
   if (spec.scenario.ends_with(".yaml"))
     spec.scenario = scenario::relative_to(file, spec.scenario);
   for (std::string& plugin : spec.plugins)
@@ -225,6 +227,14 @@ Spec bind_spec(const Value& document, const std::string& file,
     spec.measures = read_measures(*measures, diagnostics);
   else
     diagnostics.error(document.where, "campaign needs 'measures'");
+  // each is a column of a table, of which SQLite takes 2000
+  constexpr std::size_t kMostColumns = 1900;
+  if (spec.measures.columns.size() > kMostColumns)
+    diagnostics.error(document.where_of("measures"), "measures: {} columns, at most {} fit a table",
+                      spec.measures.columns.size(), kMostColumns);
+  if (spec.factors.size() > kMostColumns)
+    diagnostics.error(document.where_of("factors"), "factors: here are {}, at most {} fit a table",
+                      spec.factors.size(), kMostColumns);
   return spec;
 }
 

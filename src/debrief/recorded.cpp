@@ -17,16 +17,33 @@ namespace {
 /// What the file says of its flight and no flight of its scenario can have: more time than any,
 /// other orders.
 std::vector<std::string> false_claims(const record::RunFile& run,
-                                      const sim::Simulation& simulation) {
+                                      const scenario::Scenario& scenario) {
+  const sim::Simulation& simulation = *scenario.simulation;
+  // more than anybody gives, whoever flies all players by hand
+  constexpr std::uint64_t kOrdersPerStep = 16;
+  const std::uint64_t most =
+      kOrdersPerStep * (run.trail.last_step + 1) * scenario.roster.players.size();
+  // what is heard of another program's missiles are orders, too
+  const bool hears =
+      std::ranges::any_of(scenario.roster.players, &scenario::Roster::Player::remote);
   std::vector<std::string> problems;
   if (static_cast<double>(run.trail.last_step) * simulation.dt() > scenario::kLongestFlight)
     problems.push_back(fmt::format("it claims {} steps, more than a run can have: {} s",
                                    run.trail.last_step, scenario::kLongestFlight));
+  else if (run.orders.size() > most)
+    problems.push_back(
+        fmt::format("it claims {} orders, more than the {} that its players take in "
+                    "its steps",
+                    run.orders.size(), most));
+  if (!problems.empty())
+    return problems;
   const sim::Order* last = nullptr;
   for (const sim::Order& order : run.orders) {
     if (simulation.handler(order.kind) == nullptr)
       problems.push_back(
           fmt::format("nobody in its scenario accepts orders of kind {}", order.kind.value));
+    else if (!hears && !scenario.roster.find(order.player))
+      problems.push_back(fmt::format("nobody in its scenario is player {}", order.player.value));
     else if (last && order.step < last->step)
       problems.push_back(fmt::format("its orders for the steps {} and {} stand the wrong way round",
                                      last->step, order.step));
@@ -205,7 +222,7 @@ Opened open(record::RunFile run, std::string file, std::vector<std::string> plug
             {fmt::format("recorded by {}, whose world has another layout than that of {}; fly it "
                          "again with that build",
                          printable(recorded.run.build), build)}};
-  if (auto problems = false_claims(recorded.run, *scenario.simulation); !problems.empty())
+  if (auto problems = false_claims(recorded.run, scenario); !problems.empty())
     return {std::nullopt, std::move(problems)};
   return {std::move(recorded), {}};
 }

@@ -3,12 +3,16 @@
 /// \file  The events of the air war, in the field's words.
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
 #include "core/units.hpp"
 
 namespace eyrie::model {
+
+/// Of an event's values: one that it does not have.
+inline constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 /// `who` does it, `whom` it is done to. Ranges in m, times in s, angles in rad. What each means to
 /// readers of a table is said in events.cpp, from which docs/events.md is made.

@@ -93,9 +93,11 @@ void AcmiWriter::see_players(const sim::World& world) {
 }
 
 void AcmiWriter::see_missiles(const sim::World& world) {
-  for (std::size_t i = 0; i < world.rows(scenario_.missiles.table); ++i)
-    see(world.ids(scenario_.missiles.table)[i],
-        sample_of(world.rows(scenario_.missiles.kinematics)[i]));
+  for (std::size_t i = 0; i < world.rows(scenario_.missiles.table); ++i) {
+    AcmiSample sample = sample_of(world.rows(scenario_.missiles.kinematics)[i]);
+    sample.lock = world.rows(scenario_.missiles.state)[i].intended.value;
+    see(world.ids(scenario_.missiles.table)[i], std::move(sample));
+  }
 }
 
 AcmiSample AcmiWriter::player(const scenario::Fleet& fleet, const sim::World& world,
@@ -103,8 +105,10 @@ AcmiSample AcmiWriter::player(const scenario::Fleet& fleet, const sim::World& wo
   const auto& k = fleet.motion(world, row);
   const scenario::Gauges gauges = fleet.gauges(world, row);
   AcmiSample sample = sample_of(k);
-  sample.speed = k.speed;
-  sample.mach = gauges.mach.value_or(0);
+  if (gauges.mach) {  // a vehicle's speed is not through the air
+    sample.speed = k.speed;
+    sample.mach = *gauges.mach;
+  }
   sample.load_factor = gauges.load_factor.value_or(0);
   if (gauges.fuel)
     sample.fuel = std::floor(*gauges.fuel);
@@ -197,6 +201,11 @@ void AcmiWriter::observe(const sim::World& world, const sim::StepInfo& info,
     happened(e, world);
   if (step_ % players_every_ == 0)
     see_players(world);
+  else
+    for (const sim::Event& e : events)
+      if (kind_of(e) == EventKind::in_charge)
+        if (const auto there = scenario_.find(world, e.who))
+          see(e.who, player(there->fleet, world, there->row));
   if (step_ % missiles_every_ == 0)
     see_missiles(world);
   if (step_ % lines_every_ == 0)
@@ -234,7 +243,8 @@ void AcmiWriter::write_lines() {
   std::string text = written_frame_.empty() ? header_ : "";
   for (const AcmiLine* at : sorted) {
     const AcmiLine& line = *at;
-    const std::string frame = fmt::format("#{:.2f}\n", static_cast<double>(line.step) * dt_);
+    const std::string frame =
+        fmt::format("#{}\n", seconds_text(static_cast<double>(line.step) * dt_));
     if (frame != written_frame_)
       text += written_frame_ = frame;
     text += line.text;

@@ -101,6 +101,8 @@ const std::vector<EventColumn>& event_columns() {
 Cell EventTable::value(const sim::Event& e, const model::EventValue& what, float number) const {
   switch (what.code) {
     case EventCode::number:
+      if (std::isnan(number))  // model::kNothing
+        return {};
       return what.unit.dimension == Dimension::angle
                  ? degrees(wrap_tau(static_cast<double>(number)))
                  : static_cast<double>(number);

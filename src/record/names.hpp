@@ -11,6 +11,13 @@ namespace eyrie::record {
   return static_cast<model::EventKind>(e.kind.value);
 }
 
+/// "132.30", or "132.296" where hundredths do not tell it; with zeros before it to `width`.
+[[nodiscard]] inline std::string seconds_text(double seconds, int width = 0) {
+  std::string text = fmt::format("{:0{}.3f}", seconds, width);
+  if (text.ends_with('0'))
+    text.pop_back();
+  return text;
+}
 /// The whole steps in so many seconds, at least one.
 [[nodiscard]] inline std::uint64_t steps_in(double seconds, double dt) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));

@@ -118,12 +118,16 @@ namespace {
 
 using nlohmann::ordered_json;
 
+double to_milliseconds(double seconds) {
+  return std::round(seconds * 1000) / 1000;
+}
 /// ISO 8601; a run begins at noon.
 std::string date(double seconds) {
-  const auto hundredths = static_cast<long long>(std::floor(seconds * 100 + 0.5)) + 12LL * 360'000;
-  const long long day = hundredths / 8'640'000, rest = hundredths % 8'640'000;
-  return fmt::format("2026-01-{:02}T{:02}:{:02}:{:02}.{:02}Z", 1 + day, rest / 360'000,
-                     rest / 6'000 % 60, rest / 100 % 60, rest % 100);
+  constexpr long long kMinute = 60'000, kHour = 60 * kMinute, kDay = 24 * kHour;
+  const auto ms = static_cast<long long>(std::floor(seconds * 1000 + 0.5)) + kDay / 2;
+  return fmt::format("2026-01-{:02}T{:02}:{:02}:{}Z", 1 + ms / kDay, ms % kDay / kHour,
+                     ms % kHour / kMinute,
+                     seconds_text(static_cast<double>(ms % kMinute) / 1000, 6));
 }
 std::string interval(double from, double to) {
   return date(from) + "/" + date(to);
@@ -147,7 +151,7 @@ ordered_json coordinates(const Geodetic& place, double longitude) {
 ordered_json position(const Path& path) {
   ordered_json samples = ordered_json::array();
   for (const Path::Point& p : path.points) {
-    samples.push_back(std::round(p.time * 100) / 100);
+    samples.push_back(to_milliseconds(p.time));
     for (const auto& number : coordinates(p.place, p.place.longitude))
       samples.push_back(number);
   }
@@ -263,7 +267,7 @@ ordered_json way(std::span<const Path::Point> points) {
   return {{"type", "MultiLineString"}, {"coordinates", std::move(all)}};
 }
 
-/// A feature for each way between two fixes; a point if there is but one.
+/// A feature for each way between two fixes; a point for who stands, or has but one.
 void add_path(const scenario::Roster& roster, const Path& path, ordered_json& features) {
   std::size_t led = 0, locks = 0;
   const std::size_t ways = std::max<std::size_t>(path.points.size(), 2) - 1;
@@ -276,7 +280,7 @@ void add_path(const scenario::Roster& roster, const Path& path, ordered_json& fe
                             {"side", scenario::side_name(path.side)},
                             {"begin", date(from.time)},
                             {"end", date(to.time)},
-                            {"time_s", std::round(from.time * 100) / 100}};
+                            {"time_s", to_milliseconds(from.time)}};
     while (led + 1 < path.led.size() && path.led[led + 1].time <= from.time)
       ++led;
     if (led < path.led.size() && path.led[led].time <= from.time) {
@@ -291,7 +295,7 @@ void add_path(const scenario::Roster& roster, const Path& path, ordered_json& fe
     if (!path.end.empty())
       properties["fate"] = path.end;
     ordered_json geometry =
-        path.points.size() > 1
+        coordinates(from.place) != coordinates(to.place)
             ? way(std::span(path.points).subspan(i, 2))
             : ordered_json{{"type", "Point"}, {"coordinates", coordinates(from.place)}};
     features.push_back(feature(std::move(geometry), std::move(properties)));
@@ -303,10 +307,22 @@ void add_plan(const model::Library& library, const model::Flight& flight, ordere
   const ordered_json about{{"flight", flight.name}, {"side", scenario::side_name(flight.side)}};
   if (!flight.routes.empty() && flight.routes[0].waypoints.size() > 1) {
     std::vector<Path::Point> points;
-    for (const model::Waypoint& waypoint : flight.routes[0].waypoints) {
-      Geodetic place = library.reference.to_geodetic(waypoint.position);
-      place.altitude = waypoint.altitude;
+    const auto point = [&](const Vec3& position, double altitude) {
+      Geodetic place = library.reference.to_geodetic(position);
+      place.altitude = altitude;
       points.push_back({0, place});
+    };
+    // a leg is straight on the flat map of the scenario, not in longitude and latitude
+    constexpr double kPiece = 5000;  // m
+    const model::Waypoint* before = nullptr;
+    for (const model::Waypoint& waypoint : flight.routes[0].waypoints) {
+      const Vec3 leg = before ? waypoint.position - before->position : Vec3{};
+      const double pieces = std::ceil(norm(leg) / kPiece);
+      for (double i = 1; i < pieces; ++i)
+        point(before->position + i / pieces * leg,
+              before->altitude + i / pieces * (waypoint.altitude - before->altitude));
+      point(waypoint.position, waypoint.altitude);
+      before = &waypoint;
     }
     ordered_json properties = about;
     properties["kind"] = "route";
@@ -358,7 +374,7 @@ std::string geojson(const Paths& paths) {
                    {"side", scenario::side_name(path.side)},
                    {"begin", date(path.points.back().time)},
                    {"end", date(paths.end_time())},
-                   {"time_s", std::round(path.points.back().time * 100) / 100}}));
+                   {"time_s", to_milliseconds(path.points.back().time)}}));
   }
   return json_text(ordered_json{{"type", "FeatureCollection"}, {"features", std::move(features)}}) +
          "\n";

@@ -93,9 +93,9 @@ inline constexpr std::uint32_t kPluginFormat = 1;
 /// were compiled with other headers, or with another kind of standard library.
 [[nodiscard]] constexpr std::uint64_t plugin_layout() {
   std::uint64_t hash = kHeaderPrint;  // continued by FNV-1a
-  for (const std::size_t size : {sizeof(std::string), sizeof(std::function<void()>),
-                                 sizeof(Registrar), sizeof(Registries), sizeof(pilot::State),
-                                 sizeof(pilot::Agent), sizeof(driver::State), sizeof(driver::Agent)})
+  for (const std::size_t size :
+       {sizeof(std::string), sizeof(std::function<void()>), sizeof(Registrar), sizeof(Registries),
+        sizeof(pilot::State), sizeof(pilot::Agent), sizeof(driver::State), sizeof(driver::Agent)})
     hash = (hash ^ size) * 0x100000001b3;
   return hash;
 }

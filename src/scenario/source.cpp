@@ -37,7 +37,7 @@ std::string Source::named_by(const std::string& asker, const std::string& name) 
 }
 
 std::string Source::why_unread(const std::string& name, const std::string& asker) const {
-  if (folders_ && folders_->is_outside(name))
+  if (is_outside(name))
     return quote_path(name) +
            " is outside the folder of the scenario and the installation; --allow-include FOLDER "
            "(in Python include=) allows it";

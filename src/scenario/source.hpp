@@ -28,6 +28,9 @@ class Source {
   /// allowed is read, symbolic links resolved. A scenario is often somebody else's: it must not
   /// show what else is on the disk.
   void confine_to_folder_of(const std::string& file);
+  [[nodiscard]] bool is_outside(const std::string& name) const {
+    return folders_ && folders_->is_outside(name);
+  }
   /// Why there is no text of a file that the file `asker` names, with the nearest name if there is
   /// no file.
   [[nodiscard]] std::string why_unread(const std::string& name, const std::string& asker) const;

@@ -22,7 +22,7 @@ inline constexpr std::array kTrackColumns = std::to_array<TrackColumn>({
     {"heading_deg", "deg", "of the nose, true", 2},
     {"pitch_deg", "deg", "nose up", 2},
     {"roll_deg", "deg", "right wing down", 2},
-    {"speed_m_s", "m/s", "through the air", 2},
+    {"speed_m_s", "m/s", "through the air; of vehicles over the ground", 2},
     {"mach", "", "of aircraft", 3},
     {"load_factor", "", "g, of aircraft", 2},
     {"fuel_kg", "kg", "of aircraft", 1},

@@ -192,8 +192,9 @@ class Appraiser : public Behavior<State, Action> {
 /// has a `ChildSlot child`, that is the child in charge.
 template <class Base, NodeMemory Memory>
 class WithMemory : public Base {
-  static_assert(!requires { Base::kRemembers; },
-                "the base has a memory already; add to its struct what else is remembered");
+  static_assert(
+      !requires { Base::kRemembers; },
+      "the base has a memory already; add to its struct what else is remembered");
 
  public:
   static constexpr bool kRemembers = true;

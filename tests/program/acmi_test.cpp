@@ -131,6 +131,11 @@ TEST(AcmiFile, LetsEveryMissileBeBornOfAShooterAndEnd) {
       ++locked;
       EXPECT_TRUE(f.objects.contains(hex(first.at("LockedTarget"))));
     }
+    for (const auto& update : o.updates)
+      if (const auto lock = update.properties.find("LockedTarget");
+          lock != update.properties.end()) {
+        EXPECT_EQ(lock->second, first.at("LockedTarget")) << std::hex << id;
+      }
     ASSERT_TRUE(o.removed) << std::hex << id;
     EXPECT_GT(*o.removed, o.updates.front().time);
     // with a Timeout event that names it, at the same time

@@ -86,6 +86,33 @@ TEST_F(Campaign, StopsCleanlyOnAFullDiskAndGoesOnWhenThereIsRoom) {
   EXPECT_EQ(table("full"), undisturbed());
 }
 
+TEST_F(Campaign, NamesNoScenarioOutsideItsFolder) {
+  folder.write("secret.yaml", "hunter2");
+  folder.write("merge", "hunter2");
+  std::filesystem::create_directory(folder / "in");
+  std::filesystem::create_symlink("../secret.yaml", folder / "in/link.yaml");
+  const auto said = [&](const std::string& scenario, std::vector<std::string> more = {}) {
+    folder.write("in/c.yaml", changed({"small.yaml", scenario}));
+    std::vector<std::string> words{"campaign", "in/c.yaml", "--out", "out"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ran ran = run_program(folder, words);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(ran.err.find("hunter2"), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    return ran.err;
+  };
+  for (const std::string name :
+       {"../secret.yaml", "link.yaml", "eyrie:../../../../etc/hostname", "/etc/passwd.yaml"})
+    EXPECT_TRUE(said(name).find("is outside the folder of") != std::string::npos ||
+                said(name).find("there is no scenario") != std::string::npos)
+        << said(name);
+  EXPECT_NE(said("../secret.yaml").find("in/c.yaml:3:11: '"), std::string::npos);
+  EXPECT_NE(said("../small").find("there is no scenario '../small'"), std::string::npos);
+  EXPECT_NE(said("''").find("in/c.yaml:3:11: scenario: expected a name or a file"),
+            std::string::npos);
+  EXPECT_EQ(said("merge").find("expected a map"), std::string::npos) << "ours is meant";
+}
+
 TEST_F(Campaign, RefusesToGoOnWithSomethingElse) {
   ASSERT_EQ(run("out").code, 0);
   const std::string before = read_text(folder / "out/results.db");

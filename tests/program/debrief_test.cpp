@@ -154,6 +154,9 @@ TEST(ExportProgram, WritesGeoJsonByTheRules) {
     EXPECT_EQ(feature["type"], "Feature");
     ASSERT_TRUE(feature.contains("properties"));
     const json& geometry = feature["geometry"];
+    if (feature["properties"]["kind"] == "route") {
+      EXPECT_GT(geometry["coordinates"][0].size(), 40U) << "legs are straight on the map";
+    }
     if (feature["properties"]["kind"] != "aircraft")
       continue;
     ++seconds[feature["properties"]["name"]];
@@ -163,6 +166,25 @@ TEST(ExportProgram, WritesGeoJsonByTheRules) {
   }
   EXPECT_EQ(seconds.size(), 6U);
   EXPECT_EQ(seconds["eagle1"], 60U) << "a feature for each";
+}
+
+TEST(ExportProgram, WritesAPointForWhoStands) {
+  const TempFolder folder;
+  ASSERT_EQ(run_program(folder, {"fly", "convoy", "--until", "7 min", "--quiet", "--no-debrief",
+                                 "--out", "there"})
+                .code,
+            0);
+  ASSERT_EQ(run_program(folder, {"export", "there", "--to", "geojson"}).code, 0);
+  std::size_t points = 0;
+  const json all = json::parse(read_text(folder / "there/run.geojson"));
+  for (const json& feature : all["features"])
+    if (feature["geometry"]["type"] == "MultiLineString") {
+      for (const json& line : feature["geometry"]["coordinates"])
+        EXPECT_NE(line.front(), line.back());
+    } else {
+      points += feature["properties"]["kind"] == "vehicle";
+    }
+  EXPECT_GT(points, 10U);
 }
 
 TEST(ExportProgram, CutsLinesAtThe180thMeridianAlsoWhereAPointIsOnIt) {

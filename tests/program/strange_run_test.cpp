@@ -106,6 +106,16 @@ TEST_F(StrangeRun, MayNotHaveOrdersThatNobodyAccepts) {
   expect_all(2, "nobody in its scenario accepts orders of kind 77");
 }
 
+TEST_F(StrangeRun, MayNotHaveOrdersToNobody) {
+  run.orders = {pilot::PilotSystem::swap_tree_order(9, PlayerId{77}, 0)};
+  expect_all(2, "nobody in its scenario is player 77");
+}
+
+TEST_F(StrangeRun, MayNotHaveMoreOrdersThanItsStepsTake) {
+  run.orders.assign(1000000, pilot::PilotSystem::swap_tree_order(9, PlayerId{1}, 0));
+  expect_all(2, "it claims 1000000 orders, more than the ");
+}
+
 TEST_F(StrangeRun, MayNotHaveOrdersInDisorder) {
   run.orders = {pilot::PilotSystem::swap_tree_order(9, PlayerId{1}, 0),
                 pilot::PilotSystem::swap_tree_order(8, PlayerId{1}, 0)};

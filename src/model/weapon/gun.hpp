@@ -10,11 +10,11 @@ namespace eyrie::model::weapon {
 /// Rounds left and the burst that is being fired.
 struct GunState {
   double owed = 0;                 ///< rounds, the part of one that a step of firing left over
-  double burst_range = 0;          ///< m, to what was in the sight when the burst began
+  double burst_range = 0;          ///< m, to who it is at, when he came into the sight
   std::uint32_t rounds = 0;        ///< left in the drum
   std::uint32_t burst_rounds = 0;  ///< fired so far in this burst; 0: not firing
   std::uint32_t burst_hits = 0;    ///< of these, how many hit
-  PlayerId burst_target{};         ///< who was in the sight when the burst began; none if nobody
+  PlayerId burst_target{};         ///< who came into the sight first; none if nobody
 
   static constexpr auto fields() {
     return field_list(

@@ -36,7 +36,8 @@ void end_burst(PlayerId who, const Vec3& place, GunState& gun, sim::Outbox& out)
               .who = who,
               .whom = gun.burst_target,
               .place = place,
-              .values = {static_cast<float>(gun.burst_rounds), static_cast<float>(gun.burst_range),
+              .values = {static_cast<float>(gun.burst_rounds),
+                         gun.burst_target ? static_cast<float>(gun.burst_range) : kNothing,
                          static_cast<float>(gun.burst_hits)}});
   gun.owed = 0;
   gun.burst_range = 0;
@@ -69,7 +70,12 @@ void GunSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chun
     const GunType& gun = library_->guns[*mounted];
     const double density = library_->environment.atmosphere.at(kinematics[i].altitude).density;
     const auto target = in_sight(gun, density, i, kinematics);
-    if (state.burst_rounds == 0 && target) {
+    if (target && (state.burst_rounds == 0 || state.burst_target != ids[target->row])) {
+      if (state.burst_target) {  // to each his own burst; the gun fires on
+        const double owed = state.owed;
+        end_burst(ids[i], kinematics[i].position, state, out);
+        state.owed = owed;
+      }
       state.burst_target = ids[target->row];
       state.burst_range = target->lead.range;
     }
@@ -87,7 +93,7 @@ void GunSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chun
                   .who = ids[i],
                   .whom = ids[target->row],
                   .place = kinematics[target->row].position,
-                  .values = {static_cast<float>(hits * gun.damage), 0}});
+                  .values = {static_cast<float>(hits * gun.damage), kNothing}});
     }
     state.burst_hits += hits;
     if (state.rounds == 0 || state.burst_rounds >= gun.longest_burst * gun.rate)

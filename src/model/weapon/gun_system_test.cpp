@@ -36,8 +36,41 @@ TEST(GunSystem, CountsRoundsAndReportsTheBurstWhenTheTriggerIsReleased) {
   const sim::Event burst = chase.range.all(E::gun_burst)[0];
   EXPECT_EQ(burst.values[0], 50);
   EXPECT_FALSE(burst.whom);
+  EXPECT_TRUE(std::isnan(burst.values[1])) << "nobody has no range";
   EXPECT_EQ(chase.gun().rounds, 890u);
   EXPECT_EQ(chase.range.count(E::hit), 0u);
+}
+
+TEST(GunSystem, ABurstIsAtWhoComesIntoTheSightAndEachHasHisOwn) {
+  Chase chase(5000);
+  const PlayerId other = chase.range.add({9000, 0, -3000}, 0, 250, Side::red);
+  const auto ahead = [&](PlayerId who, double distance) {
+    const auto& columns = chase.range.aircraft();
+    chase.range.row(columns.kinematics, who).position =
+        chase.range.row(columns.kinematics, chase.blue).position + Vec3{distance, 0, 0};
+  };
+  const auto fire = [&](int steps) {
+    for (int i = 0; i < steps; ++i) {
+      chase.range.step();
+      for (const PlayerId who : {chase.red, other})  // they survive whatever happens
+        chase.range.row(chase.range.aircraft().damage, who).damage = 0;
+    }
+  };
+  chase.trigger(true);
+  fire(15);
+  ahead(chase.red, 500);
+  fire(5);
+  ahead(chase.red, 6000);
+  ahead(other, 500);
+  fire(5);
+  chase.trigger(false);
+  chase.range.run(0.1);
+  const auto bursts = chase.range.all(E::gun_burst);
+  ASSERT_EQ(bursts.size(), 2u);
+  EXPECT_EQ(bursts[0].whom, chase.red);
+  EXPECT_NEAR(bursts[0].values[1], 500, 1);
+  EXPECT_EQ(bursts[1].whom, other);
+  EXPECT_EQ(bursts[0].values[0] + bursts[1].values[0], 50) << "the gun fires on";
 }
 
 TEST(GunSystem, ReportsLongBurstsInPartsAndStopsWhenTheDrumIsEmpty) {
