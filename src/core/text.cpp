@@ -108,11 +108,16 @@ std::optional<char32_t> look_alike(std::string_view text) {
   static constexpr Points kAlike[] = {{0xA0, 0xA0},     {0x2000, 0x200A}, {0x2010, 0x2013},
                                       {0x202F, 0x202F}, {0x205F, 0x205F}, {0x2212, 0x2212},
                                       {0x3000, 0x3000}};
+  constexpr Points kGreekAndCyrillic{0x370, 0x52F};
+  const bool has_ours = std::ranges::any_of(text, is_letter);
   while (!text.empty()) {
     const Utf8 next = first_character(text);
-    for (const Points& points : kAlike)
-      if (next.length > 0 && next.point >= points.first && next.point <= points.last)
-        return next.point;
+    const auto is_in = [&](const Points& points) {
+      return next.point >= points.first && next.point <= points.last;
+    };
+    if (next.length > 0 &&
+        (std::ranges::any_of(kAlike, is_in) || (has_ours && is_in(kGreekAndCyrillic))))
+      return next.point;
     text.remove_prefix(std::max<std::size_t>(next.length, 1));
   }
   return std::nullopt;

@@ -60,7 +60,7 @@ template <class T>
 /// The same of every line of a text: line feeds stay.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 /// The first character that looks like a blank, a hyphen or another one of ASCII and is none, as
-/// what was copied from a page often holds.
+/// what was copied from a page often holds; beside letters of ours also a Greek or Cyrillic one.
 [[nodiscard]] std::optional<char32_t> look_alike(std::string_view text);
 
 /// Columns of a terminal: two for wide characters (Chinese, Japanese, Korean, emoji), one for the

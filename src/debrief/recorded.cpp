@@ -145,7 +145,7 @@ std::pair<std::string, std::string> event_texts(const sim::Event* x, const sim::
   if (one != other)
     return {one, other};
   const auto compare = [&](std::string_view name, Dimension dimension, double mine, double its) {
-    if (mine != its) {
+    if (mine != its && !(std::isnan(mine) && std::isnan(its))) {
       const auto [a, b] = apart(name, dimension, mine, its);
       one += fmt::format(", {} {}", name, a);
       other += fmt::format(", {} {}", name, b);
@@ -203,6 +203,9 @@ std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
 
 Opened open(record::RunFile run, std::string file, std::vector<std::string> plugins,
             std::string_view build, const scenario::AddNodes& add) {
+  if (!run.files.contains(run.scenario))
+    return {std::nullopt,
+            {fmt::format("it is corrupt: its scenario {} is not in it", quote_path(run.scenario))}};
   Recorded recorded{std::move(file), std::move(run), std::move(plugins), nullptr, add};
   try {
     recorded.scenario = with_overrides(recorded, {});

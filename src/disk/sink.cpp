@@ -160,7 +160,8 @@ FileRead read_file(const std::string& path, std::size_t limit) {
   return read;
 }
 
-std::string nearest_file(const fs::path& missing, const fs::path& asker) {
+std::string nearest_file(const fs::path& missing, const fs::path& asker, const fs::path& from,
+                         std::string_view before) {
   constexpr std::size_t kMost = 10'000;
   std::error_code failed;
   const fs::path path = fs::absolute(missing, failed).lexically_normal();
@@ -181,7 +182,13 @@ std::string nearest_file(const fs::path& missing, const fs::path& asker) {
     at.increment(failed);
   }
   std::ranges::sort(names);
-  return did_you_mean(path.lexically_relative(folder).generic_string(), names);
+  std::string meant = did_you_mean(path.lexically_relative(folder).generic_string(), names);
+  if (!meant.empty() && !from.empty()) {
+    const fs::path way = folder.lexically_relative(fs::absolute(from, failed).lexically_normal());
+    const std::string written = way == "." || way.empty() ? "" : way.generic_string() + "/";
+    meant.insert(meant.find('\'') + 1, std::string(before) + written);
+  }
+  return meant;
 }
 
 }  // namespace eyrie::disk

@@ -63,9 +63,11 @@ struct FileRead {
 [[nodiscard]] FileRead read_file(const std::string& path, std::size_t limit);
 
 /// "; did you mean 'x'?" for the file nearest to one that is not there, or "": of those that stand
-/// as many folders below the last folder of its path that exists; x is named from there, and is
-/// not `asker`.
+/// as many folders below the last folder of its path that exists; x is named from there, or from
+/// the folder `from` with `before` before it, and is not `asker`.
 [[nodiscard]] std::string nearest_file(const std::filesystem::path& missing,
-                                       const std::filesystem::path& asker = {});
+                                       const std::filesystem::path& asker = {},
+                                       const std::filesystem::path& from = {},
+                                       std::string_view before = "");
 
 }  // namespace eyrie::disk

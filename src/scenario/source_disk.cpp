@@ -86,7 +86,11 @@ class Disk final : public Source::Folders {
       return read.problem.empty() ? "" : ": it " + read.problem;
     if (const std::string own = same_of_ours(name, asker); !own.empty())
       return "; did you mean " + quote_path(own) + "?";
-    return disk::nearest_file(place_of(name), asker);
+    // as the asker has to write it
+    if (name.starts_with(Source::kOwn))
+      return disk::nearest_file(place_of(name), asker, home_, Source::kOwn);
+    const fs::path from = asker.empty() ? fs::path() : place_of(asker).parent_path();
+    return disk::nearest_file(place_of(name), asker, from.empty() && !asker.empty() ? "." : from);
   }
 
   std::vector<std::string> names_in(const std::string& folder) const override {

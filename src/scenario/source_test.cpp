@@ -92,6 +92,11 @@ TEST_F(SourceOnDisk, SaysWhyAFileIsNotRead) {
   const std::string missing = (folder_ / "neer.yaml").string();
   EXPECT_EQ(source.why_unread(missing, ""),
             "cannot read '" + missing + "'; did you mean 'near.yaml'?");
+  fs::create_directories(folder_ / "sub");
+  write("sub/deep.yaml", "x");
+  const std::string deep = (folder_ / "sub/dep.yaml").string();
+  EXPECT_EQ(source.why_unread(deep, (folder_ / "mine.yaml").string()),
+            "cannot read '" + deep + "'; did you mean 'sub/deep.yaml'?");
 }
 
 TEST(SourceInABundle, NamesWhatTheAskerCouldWrite) {

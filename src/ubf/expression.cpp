@@ -13,11 +13,14 @@ using detail::Instruction;
 using detail::Op;
 using detail::Operand;
 
+/// Letters of Latin, Greek and Cyrillic, too: one that only looks like ours is told as what it is.
 bool begins_word(char c) {
-  return is_letter(c) || c == '_';
+  const auto byte = static_cast<unsigned char>(c);
+  return is_letter(c) || c == '_' || (byte >= 0xC3 && byte <= 0xD4);
 }
 bool is_word(char c) {
-  return begins_word(c) || is_digit(c) || c == '.';
+  const auto byte = static_cast<unsigned char>(c);
+  return begins_word(c) || is_digit(c) || c == '.' || (byte >= 0x80 && byte <= 0xBF);
 }
 bool is_keyword(std::string_view word) {
   return word == "and" || word == "or" || word == "not";

@@ -112,6 +112,9 @@ TEST(Expression, MistakesAreSaidWithTheirColumnAndTheNearestName) {
             "t.yaml:3:7: there is no state field 'rang'; did you mean 'range'?");
   EXPECT_EQ(said_of("alarm and rang < 10 nmi", true),
             "t.yaml:3:18: there is no state field 'rang'; did you mean 'range'?");
+  EXPECT_EQ(said_of("r\xD0\xB0nge < 10 nmi"),
+            "t.yaml:3:7: there is no state field 'r\xD0\xB0nge' (with the character U+0430), only "
+            "range, altitude, count, alarm, phase");
   EXPECT_EQ(said_of("range < 10 kg"),
             "t.yaml:3:15: range: expected a length such as '6000 ft', got '10 kg' (a mass)");
   EXPECT_EQ(said_of("range"),

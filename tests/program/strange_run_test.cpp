@@ -116,6 +116,11 @@ TEST_F(StrangeRun, MayNotHaveMoreOrdersThanItsStepsTake) {
   expect_all(2, "it claims 1000000 orders, more than the ");
 }
 
+TEST_F(StrangeRun, HasItsScenarioInIt) {
+  run.scenario = "/etc/passwd";
+  expect_all(2, "it is corrupt: its scenario '/etc/passwd' is not in it");
+}
+
 TEST_F(StrangeRun, MayNotHaveOrdersInDisorder) {
   run.orders = {pilot::PilotSystem::swap_tree_order(9, PlayerId{1}, 0),
                 pilot::PilotSystem::swap_tree_order(8, PlayerId{1}, 0)};
