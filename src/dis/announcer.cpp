@@ -260,7 +260,7 @@ void Announcer::burst(const sim::Event& e) {
             .location = scenario_.library->reference.to_ecef(e.place),
             .what = rounds,
             .velocity = velocity,
-            .range = e.values[1]});
+            .range = e.whom ? e.values[1] : 0});  // 0: unknown
   const Entity* target = find(e.whom);
   if (!target || e.values[2] < 1)
     return;

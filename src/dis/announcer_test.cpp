@@ -235,6 +235,12 @@ TEST(Announcer, TellsABurstOfTheGunAndItsHitsTogether) {
     EXPECT_EQ(ends[0].second.what.quantity, 3);
     EXPECT_EQ(ends[0].second.result, Result::impact);
   }
+  Listener listener(*scenario);
+  listener.announcer.begin(world, 0.02);
+  const sim::Event at_nobody{
+      .kind = model::EventKind::gun_burst, .who = PlayerId{1}, .values = {40, model::kNothing, 0}};
+  listener.announcer.observe(world, {.step = 0, .seed = 1, .dt = 0.02}, {&at_nobody, 1});
+  EXPECT_EQ(listener.of<Fire>().at(0).second.range, 0) << "DIS has no other word for it";
 }
 
 TEST(Announcer, TellsOfJammers) {

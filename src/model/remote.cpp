@@ -131,7 +131,7 @@ void RemoteSystem::apply_order(sim::World& world, const sim::StepInfo& info,
                   .who = shooter,
                   .whom = order.player,
                   .place = world.rows(aircraft_.kinematics)[*row].position,
-                  .values = {damage, 0}});
+                  .values = {damage, kNothing}});
       return;
     }
     default:

@@ -71,9 +71,10 @@ TEST_F(Includes, ThatAreMisspelledNameTheNearestFile) {
   struct Case {
     std::string include, shown, meant;
   };
-  for (const Case& c : {Case{"naer.yaml", "mine/naer.yaml", "near.yaml"},
-                        Case{"[near.yaml, pack/pilot.yml]", "mine/pack/pilot.yml", "pilots.yaml"},
-                        Case{"pakc/pilots.yaml", "mine/pakc/pilots.yaml", "pack/pilots.yaml"}}) {
+  for (const Case& c :
+       {Case{"naer.yaml", "mine/naer.yaml", "near.yaml"},
+        Case{"[near.yaml, pack/pilot.yml]", "mine/pack/pilot.yml", "pack/pilots.yaml"},
+        Case{"pakc/pilots.yaml", "mine/pakc/pilots.yaml", "pack/pilots.yaml"}}) {
     const Ran ran = validate(c.include);
     EXPECT_EQ(ran.code, 2);
     EXPECT_EQ(ran.err, "mine/x.yaml:21:" + std::string(c.include[0] == '[' ? "22" : "10") +
