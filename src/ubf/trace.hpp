@@ -87,9 +87,14 @@ class Trace final : public AnyTrace {
     Row& row = rows_[node];
     for_each_field<Action>([&](const auto& f, auto i) {
       const auto& value = action.*f.member;
-      if (value && !row.held[i] && std::ranges::none_of(children, [&](const auto& child) {
-            return rows_[child->index()].proposal.action.*f.member == value;
-          }))
+      const auto is_same = [&](const auto& child) {
+        const auto& its = rows_[child->index()].proposal.action.*f.member;
+        if constexpr (requires { *its == *value; })
+          return its == value;
+        else
+          return bool(its);
+      };
+      if (value && !row.held[i] && std::ranges::none_of(children, is_same))
         row.supplier[i] = node;
     });
   }
