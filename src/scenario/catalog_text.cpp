@@ -103,9 +103,16 @@ std::string example(const ubf::NodeInfo& node) {
       words.push_back(fmt::format("{}: {}", p.name, p.default_text));
   }
   const bool many = std::ranges::find(node.child_keys, "children") != node.child_keys.end();
+  const auto below = [](std::string_view key) {
+    return key == "children"              ? "[navigate, follow_lead]"
+           : key == "when" || key == "if" ? "range < 5 nmi"
+           : key == "by"                  ? "pursue"
+           : key == "else"                ? "follow_lead"
+                                          : "navigate";
+  };
   for (const std::string& key : node.child_keys)
     if (key != "child" || !many)
-      words.push_back(key == "children" ? "children: [navigate, follow_lead]" : key + ": navigate");
+      words.push_back(fmt::format("{}: {}", key, below(key)));
   return words.empty() ? node.name : fmt::format("{}: {{{}}}", node.name, fmt::join(words, ", "));
 }
 

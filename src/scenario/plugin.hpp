@@ -65,18 +65,11 @@ class Registrar {
  private:
   template <class Registry>
   void add_to(Registry& registry, const ubf::NodeType& type) {
-    const std::string name(type.name);
-    if (const ubf::NodeInfo* there = registry.find(name))
-      problems_.push_back(
-          fmt::format("there is already a node {} (of {})", quote(name), there->origin));
-    else if (name == ubf::kTreeReference)
-      problems_.push_back(fmt::format("{} is no name for a node", quote(name)));
-    else
-      try {
-        registry.add_type(type, origin_);
-      } catch (const std::logic_error& refused) {
-        problems_.push_back(refused.what());
-      }
+    try {
+      registry.add_type(type, origin_);
+    } catch (const std::logic_error& refused) {
+      problems_.push_back(refused.what());
+    }
   }
 
   Registries& registries_;

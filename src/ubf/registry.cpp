@@ -29,11 +29,14 @@ const NodeInfo* AnyRegistry::find(std::string_view name) const {
 }
 
 void AnyRegistry::add(const NodeType& type, std::string origin) {
+  if (type.name == kTreeReference)
+    throw std::logic_error(fmt::format("{} is no name for a node", quote(type.name)));
+  if (const NodeInfo* there = find(type.name))
+    throw std::logic_error(
+        fmt::format("there is already a node {} (of {})", quote(type.name), there->origin));
   const auto refuse = [&type](std::string_view why) {
     throw std::logic_error(fmt::format("node {} {}", quote(type.name), why));
   };
-  if (type.name == kTreeReference || find(type.name))
-    refuse("is there already");
   if (!type.make)
     refuse("cannot be made without arguments, as files do");
   // of a type that is made at run time only its nodes know the defaults

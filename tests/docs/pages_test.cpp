@@ -75,6 +75,7 @@ void code_is_compiled(const std::string& page, const std::string& test) {
 TEST(Pages, TheirCodeIsCompiledAndRun) {
   code_is_compiled("docs/ubf.md", "tests/docs/ubf_in_code_test.cpp");
   code_is_compiled("docs/howto/add-a-behavior.md", "tests/docs/add_a_behavior_test.cpp");
+  code_is_compiled("docs/howto/add-a-decorator.md", "tests/docs/add_a_decorator_test.cpp");
   code_is_compiled("docs/howto/add-an-arbiter.md", "tests/docs/add_an_arbiter_test.cpp");
   code_is_compiled("docs/howto/write-a-plugin.md", "tests/plugins/good.cpp");
   code_is_compiled("docs/architecture.md", "tests/docs/a_system_test.cpp");

@@ -14,8 +14,8 @@ namespace {
 
 /// The types of nodes that were asked in the first minutes of a scenario, by every pilot.
 std::set<std::string> asked_in(const std::string& name) {
-  const Recorded run = recorded_flight(name, 280, {});
-  Reflight flight(run);
+  const debrief::Recorded run = recorded_flight(name, 280, {});
+  debrief::Reflight flight(run);
   std::set<std::string> asked;
   while (flight.step()) {
     if (flight.before().step() % 50 >= 5)  // a tenth of all decisions
@@ -46,8 +46,8 @@ TEST(Families, EveryStandardNodeFlies) {
 }
 
 TEST(Families, AVoteThatFollowsTheStateIsExplainedByWhatItFollowed) {
-  const Recorded run = recorded_flight("commitment", 120, {});
-  Reflight flight(run);
+  const debrief::Recorded run = recorded_flight("commitment", 120, {});
+  debrief::Reflight flight(run);
   const PlayerId bogey{3};
   std::set<float> votes;
   while (flight.step()) {
