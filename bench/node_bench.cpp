@@ -34,6 +34,8 @@ const std::map<std::string_view, std::string_view>& node_trees() {
       {"utility",
        "{utility: {grid: {heading: {from: 0 deg, to: 360 deg, steps: 36, reach: 60 deg, "
        "spread: 10 deg}}, children: [cruise, avoid, chase]}}"},
+      {"always_success", "always_success"},
+      {"always_failure", "always_failure"},
       {"selector", "{selector: [avoid, chase, cruise]}"},
       {"sequence", "{sequence: [{holds: close}, avoid]}"},
       {"selector_with_memory", "{selector_with_memory: [avoid, chase, cruise]}"},

@@ -5,6 +5,7 @@ string(REPLACE "," ";" LAYERS "${LAYERS}")
 set(texts "")
 foreach(layer ${LAYERS})
   file(GLOB_RECURSE headers LIST_DIRECTORIES false RELATIVE ${SOURCE} ${SOURCE}/${layer}/*.hpp)
+  list(FILTER headers EXCLUDE REGEX "_test\\.hpp$")  # not installed
   list(SORT headers)
   foreach(header ${headers})
     file(SHA256 ${SOURCE}/${header} hash)

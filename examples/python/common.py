@@ -123,7 +123,7 @@ replace: {{blue.flights.viper.tree: judged}}
 
 def load(text: str) -> eyrie.Scenario:
     """A scenario beside Eyrie's own, which may take policies from where they are."""
-    files = re.findall(r'[^\s{},"]+\.safetensors', text)
+    files = [json.loads(f) for f in re.findall(r'"(?:[^"\\]|\\.)*\.safetensors"', text)]  # as tree_of() writes them
     return eyrie.load(ROOT / "scenarios/judged.yaml", text=text, include={Path(f).parent for f in files})
 
 

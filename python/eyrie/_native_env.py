@@ -37,7 +37,7 @@ class Saved:
     def __init__(self, core: _core.SavedEnv, draws: Any) -> None:
         self.core = core
         self.draws = draws  # of the seeds of episodes to come
-        self.agents: list[str] = []  # of several: who is in the episode
+        self.agents: list[str] | None = None  # by Parallel: who is in the episode
 
     def __reduce__(self) -> Any:
         raise TypeError("what an environment saved is kept in this process only")
@@ -54,11 +54,15 @@ class _Pool:
     def tree(self, who: str, name: str | os.PathLike[str]) -> str:
         if isinstance(name, str) and not name.endswith(".safetensors"):
             return text(who, name)
-        file = Path(path(who, name)).resolve()
-        self.folders.append(str(file.parent))
+        if isinstance(name, str) and name.startswith("eyrie:"):
+            file = name  # Eyrie's own, from anywhere
+        else:
+            found = Path(path(who, name)).resolve()
+            self.folders.append(str(found.parent))
+            file = str(found)
         numbers = itertools.count(len(self.trees) + 1)
         tree = next(name for name in map("policy_{}".format, numbers) if f"trees.{name}" not in self.taken)
-        self.trees[f"trees.{tree}"] = {"policy": {"file": json.dumps(str(file), ensure_ascii=False)}}
+        self.trees[f"trees.{tree}"] = {"policy": {"file": json.dumps(file, ensure_ascii=False)}}
         return tree
 
 
@@ -173,7 +177,8 @@ def as_actions(actions: Any, shape: tuple[int, ...]) -> Floats:
             raise TypeError
     except (TypeError, ValueError):
         raise TypeError(f"actions: {actions!r} is no array of numbers of shape {shape}") from None
-    numbers = np.ascontiguousarray(numbers, np.float32).reshape(numbers.shape)
+    with np.errstate(over="ignore"):  # what is beyond [-1, 1] is taken as the bound
+        numbers = np.ascontiguousarray(numbers, np.float32).reshape(numbers.shape)
     if numbers.shape != shape:
         raise ValueError(f"actions: shape {numbers.shape} is not {shape}")
     return numbers

@@ -89,7 +89,8 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
         """Goes on from there; what reset() gives."""
         native = self._native
         native.restore(saved, self._seeds)
-        self.agents = list(saved.agents)
+        alone = [who for who in self.possible_agents if native.alive[0, self._row[who]]]
+        self.agents = alone if saved.agents is None else list(saved.agents)
         return self._seen(native.observations), self._infos()
 
     def close(self) -> None:

@@ -91,6 +91,7 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
     ) -> None:
         no_drawing(render_mode)
         self._native = Native(task, 1, 1, set, opponents, rewards, privileged)
+        self._over = False
         self.render_mode = None
         self.observation_space = self._native.observation_space()
         self.action_space = self._native.action_space()
@@ -101,27 +102,35 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
         no_options(options)
         super().reset(seed=seed)
         self._native.core.reset(int(self.np_random.integers(_SEEDS)))
+        self._over = False
         return self._native.observations[0, 0].copy(), self._info()
 
     def step(self, action: Floats) -> tuple[Floats, float, bool, bool, Infos]:
+        self._demand_episode()
         native = self._native
         native.core.step(as_actions(action, (len(native.actions),))[None, None])
         terminated, truncated = bool(native.terminated[0, 0]), bool(native.truncated[0, 0])
-        over = terminated or truncated
+        self._over = over = terminated or truncated
         seen = (native.last_observations if over else native.observations)[0, 0].copy()
         return seen, float(native.rewards[0, 0]), terminated, truncated, self._info(over)
 
     def save(self) -> Saved:
         """Where the episode stands, to go on from there again: for search, and for tests."""
+        self._demand_episode()
         return self._native.save(self.np_random)
 
     def restore(self, saved: Saved) -> tuple[Floats, Infos]:
         """Goes on from there; what reset() gives."""
         self._native.restore(saved, self.np_random)
+        self._over = False
         return self._native.observations[0, 0].copy(), self._info()
 
     def close(self) -> None:
         self._native.core.close()
+
+    def _demand_episode(self) -> None:
+        if self._over:
+            raise gymnasium.error.ResetNeeded("the episode is over: reset() begins one")
 
     def _info(self, over: bool = False) -> Infos:
         native = self._native

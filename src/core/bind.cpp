@@ -32,14 +32,22 @@ double snapped(double x, const ParamInfo& info) {
 /// A number as written, without the quotes but cut like quote() if it is absurdly long.
 std::string as_written(const Value& value) {
   const std::string quoted = quote(trimmed(value.text));
-  return quoted.substr(1, quoted.size() - 2);
+  return quoted.substr(1, quoted.rfind('\'') - 1);
+}
+
+/// What its help says of null, for who writes -1 to say "no limit".
+std::string_view null_instead(const ParamInfo& info) {
+  const std::size_t at = std::min(info.help.find("null: "), info.help.size());
+  return std::string_view(info.help).substr(at);
 }
 
 bool check_range(double x, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
   if (info.limits.contains(x))
     return true;
-  return report(diagnostics, value, info, "{} is {}", as_written(value),
-                limits_text(info.limits, info.unit.dimension));
+  const std::string_view instead = null_instead(info);
+  return report(diagnostics, value, info, "{} is {}{}{}", as_written(value),
+                limits_text(info.limits, info.unit.dimension), instead.empty() ? "" : "; ",
+                instead);
 }
 
 /// A plain number in quotes is a text; a quantity is a text for YAML anyway.

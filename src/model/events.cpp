@@ -57,7 +57,8 @@ constexpr std::array kInfos = [] {
       {seeker_acquired, "seeker_acquired", "The seeker of missile who sees whom.", {{kRange}}},
       {gun_burst,
        "gun_burst",
-       "who has ended a burst of its gun at whom, or at nobody in its sight; "
+       "who has ended a burst of its gun at whom, or at nobody in its sight, or goes on at "
+       "another; "
        "nothing if the run, or who, ends first.",
        {{{"rounds", {}, "rounds", C::number, "fired"},
          kRange,

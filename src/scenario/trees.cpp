@@ -29,6 +29,7 @@ class NodeFiles final : public ubf::NodeFiles {
                                                  Source::kLargestBytes >> 20)
                                    : source_.why_unread(path, asker));
   }
+  std::string path_of(const Value& name) const override { return file_named(name); }
 
  private:
   Source& source_;

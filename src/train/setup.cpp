@@ -70,7 +70,8 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
   read_opponents();
   const double dt = scenario_->simulation->dt();
   period_ = sim::period_steps(scenario_->spec.rates.decisions, dt).steps;
-  while (!sim::due(lead_, learners_.front().id, period_))
+  // by then everybody has perceived something
+  for (lead_ = period_; !sim::due(lead_, learners_.front().id, period_);)
     ++lead_;
   seconds_ = period_ * dt;
   shape_ = {options_.envs, learners_.size(), observation_.size(), action_names_.size()};
@@ -98,8 +99,9 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
   for (std::size_t i = 0; i < lanes; ++i)
     lanes_.push_back(std::make_unique<Lane>(*scenario_, at_once));
   executor_ = std::make_unique<Executor>(options_.workers);
+  begin_all();
   for (std::size_t env = 0; env < options_.envs; ++env)
-    begin(slots_[env], next_seed(env));
+    tell_fault(env);
   hash_ = hash_of_task();
 }
 

@@ -57,7 +57,7 @@ std::uint64_t VectorEnv::next_seed(std::size_t env) const {
   return draw.bits() >> 11;  // a float64 holds it
 }
 
-void VectorEnv::begin(Slot& slot, std::uint64_t seed) const {
+void VectorEnv::begin(Slot& slot, std::uint64_t seed, Lane& lane) const {
   scenario_->begin(slot.world, seed);
   slot.seed = seed;
   slot.outcome = scenario::Outcome::running;
@@ -68,9 +68,17 @@ void VectorEnv::begin(Slot& slot, std::uint64_t seed) const {
     Slot::Agent& agent = slot.agents[i];
     agent.alive = true;
     agent.merit = {};
-    agent.rounds = rounds_of(slot.world, i).value_or(0);
     std::ranges::fill(agent.votes, -1.0F);
   }
+  Lane::One& one = lane.ones.front();
+  while (slot.world.step() < lead_ && slot.outcome == scenario::Outcome::running) {
+    order(slot, one.orders, nullptr);
+    const sim::Stepped step{&slot.world, &one.work, one.orders};
+    scenario_->simulation->step(std::span(&step, 1));
+    look(slot, lane.judge, one.work);
+  }
+  for (std::size_t i = 0; i < slot.agents.size(); ++i)
+    slot.agents[i].rounds = rounds_of(slot.world, i).value_or(0);
 }
 
 std::optional<std::uint32_t> VectorEnv::rounds_of(const sim::World& world,
@@ -88,41 +96,61 @@ void VectorEnv::end(Slot& slot) const {
 void VectorEnv::reset(std::uint64_t seed, const Arrays& out) {
   check(out);
   options_.seed = seed;
+  begin_all();
   for (std::size_t env = 0; env < shape_.envs; ++env) {
-    slots_[env].episodes = 0;
-    begin(slots_[env], next_seed(env));
     show(env, out);
+    tell_fault(env);
   }
+}
+
+void VectorEnv::begin_all() {
+  each_run([&](Lane& lane, std::size_t env, std::size_t next) {
+    for (; env < next; ++env) {
+      slots_[env].episodes = 0;
+      begin(slots_[env], next_seed(env), lane);
+    }
+  });
 }
 
 void VectorEnv::reset_one(std::size_t env, std::uint64_t seed, const Arrays& out) {
   check(out);
   if (env >= shape_.envs)
     refuse("environment {} of {}", env, shape_.envs);
-  begin(slots_[env], seed);
+  begin(slots_[env], seed, *lanes_.front());
   show(env, out);
+  tell_fault(env);
 }
 
 void VectorEnv::step(std::span<const float> actions, const Arrays& out) {
   check(out);
   check_actions(actions);
   const std::size_t each = shape_.agents * shape_.action;
+  each_run([&](Lane& lane, std::size_t env, std::size_t next) {
+    advance(std::span(slots_).subspan(env, next - env), lane, actions.data() + env * each);
+    for (; env < next; ++env)
+      judge(slots_[env], env, lane, out);
+  });
+  for (std::size_t env = 0; env < shape_.envs; ++env)
+    tell_fault(env);
+}
+
+template <class Use>
+void VectorEnv::each_run(Use use) {
   const std::size_t lanes = lanes_.size(), envs = shape_.envs;
   executor_->for_chunks(lanes * kChunk, [&](std::size_t i, std::size_t, std::size_t) {
     const std::size_t end = (i + 1) * envs / lanes;
     for (std::size_t env = i * envs / lanes, next; env < end; env = next) {
       next = std::min(end, env + lanes_[i]->ones.size());
-      advance(std::span(slots_).subspan(env, next - env), *lanes_[i], actions.data() + env * each);
-      for (std::size_t one = env; one < next; ++one)
-        judge(slots_[one], one, out);
+      use(*lanes_[i], env, next);
     }
   });
-  for (std::size_t env = 0; env < shape_.envs; ++env)
-    if (slots_[env].fault)
-      throw std::runtime_error(
-          fmt::format("environment {}, episode {}: {}", env, slots_[env].seed,
-                      scenario::fault_text(*slots_[env].fault, scenario_->roster,
-                                           scenario_->simulation->dt())));
+}
+
+void VectorEnv::tell_fault(std::size_t env) const {
+  if (slots_[env].fault)
+    throw std::runtime_error(fmt::format(
+        "environment {}, episode {}: {}", env, slots_[env].seed,
+        scenario::fault_text(*slots_[env].fault, scenario_->roster, scenario_->simulation->dt())));
 }
 
 void VectorEnv::command(Slot& slot, std::size_t agent, const float* action,
@@ -149,24 +177,19 @@ void VectorEnv::command(Slot& slot, std::size_t agent, const float* action,
 }
 
 void VectorEnv::advance(std::span<Slot> group, Lane& lane, const float* actions) const {
-  // the first one waits for the learner's decision: those behind it then begin where they end
-  std::array<std::uint32_t, sim::kMostTogether> wait;
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    wait[i] = group[i].world.step() == 0 ? lead_ : 0;
-    for (Slot::Agent& agent : group[i].agents)
+  for (Slot& slot : group)
+    for (Slot::Agent& agent : slot.agents)
       agent.merit = {};
-  }
-  for (std::uint32_t made = 0;; ++made) {
+  for (std::uint32_t made = 0; made < period_; ++made) {
     std::array<sim::Stepped, sim::kMostTogether> steps;
     std::array<Slot*, sim::kMostTogether> whose;
     std::size_t count = 0;
     for (std::size_t i = 0; i < group.size(); ++i) {
       Slot& slot = group[i];
-      if (made >= wait[i] + period_ || slot.outcome != scenario::Outcome::running)
+      if (slot.outcome != scenario::Outcome::running)
         continue;
       Lane::One& one = lane.ones[count];
-      order(slot, one.orders,
-            made == wait[i] ? actions + i * shape_.agents * shape_.action : nullptr);
+      order(slot, one.orders, made == 0 ? actions + i * shape_.agents * shape_.action : nullptr);
       steps[count] = {&slot.world, &one.work, one.orders};
       whose[count++] = &slot;
     }
@@ -215,7 +238,7 @@ void VectorEnv::look(Slot& slot, scenario::Judge& judge, const sim::Workspace& w
   slot.outcome = judge(slot.world, slot.any_home);
 }
 
-void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) const {
+void VectorEnv::judge(Slot& slot, std::size_t env, Lane& lane, const Arrays& out) const {
   // who is still there
   bool any = false;
   const std::size_t first = env * shape_.agents;
@@ -255,7 +278,7 @@ void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) const {
     for (std::size_t agent = 0; agent < shape_.agents; ++agent)
       observe(slot, agent, last + agent * shape_.observation, last_mask + agent * shape_.action);
     end(slot);
-    begin(slot, next_seed(env));
+    begin(slot, next_seed(env), lane);
   }
   show_now(env, out);
 }

@@ -59,7 +59,8 @@ struct Finished {
 /// Misuse (arrays of another size, an action that is NaN, one of a dead agent that is not 0) throws
 /// std::invalid_argument with words before anything is changed. A scenario's mistakes throw
 /// ConfigError, the constructor's others std::invalid_argument. A step that cannot be finished (a
-/// node that throws) throws std::runtime_error; then only reset() goes on.
+/// node that throws), also of those that an episode begins with, throws std::runtime_error; then
+/// only reset() and reset_one() go on.
 class VectorEnv {
  public:
   VectorEnv(TaskSpec task, scenario::Source source, const Options& options);
@@ -123,7 +124,10 @@ class VectorEnv {
   void read_opponents();
   void check(const Arrays& out) const;
   void check_actions(std::span<const float> actions) const;
-  void begin(Slot& slot, std::uint64_t seed) const;
+  /// Begins an episode and flies until everybody has perceived something and it is the learner's
+  /// turn.
+  void begin(Slot& slot, std::uint64_t seed, Lane& lane) const;
+  void begin_all();
   /// Left in the drum of a learner; nothing once he is gone.
   [[nodiscard]] std::optional<std::uint32_t> rounds_of(const sim::World& world,
                                                        std::size_t agent) const;
@@ -134,7 +138,12 @@ class VectorEnv {
   void advance(std::span<Slot> group, Lane& lane, const float* actions) const;
   void order(Slot& slot, std::vector<sim::Order>& orders, const float* actions) const;
   void look(Slot& slot, scenario::Judge& judge, const sim::Workspace& work) const;
-  void judge(Slot& slot, std::size_t env, const Arrays& out) const;
+  void judge(Slot& slot, std::size_t env, Lane& lane, const Arrays& out) const;
+  void tell_fault(std::size_t env) const;
+  /// Calls `use(lane, env, next)` with runs of environments that are stepped together, on all
+  /// cores.
+  template <class Use>
+  void each_run(Use use);
   void show(std::size_t env, const Arrays& out) const;
   void show_now(std::size_t env, const Arrays& out) const;
   void observe(const Slot& slot, std::size_t agent, float* observation, std::uint8_t* mask) const;

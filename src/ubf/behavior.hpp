@@ -117,8 +117,11 @@ class Behavior : public AnyNode {
   [[gnu::noinline]] Status look_at(const Tick<State>& t, Status status,
                                    Proposal<Action>& out) const {
     const auto refuse = [&] {
-      if (memory_end_ != memory_begin_)  // what was going on in it forgets
+      const bool goes_on = stands_ || status != Status::success;
+      if (goes_on && memory_end_ != memory_begin_)
         std::memset(t.memory + memory_begin_, 0, memory_end_ - memory_begin_);
+      if (goes_on && t.trace)
+        Trace<Action>::of(*t.trace).halted(index_, end_index_);
       return Status::failure;
     };
     if (status > Status::success) {
@@ -129,8 +132,8 @@ class Behavior : public AnyNode {
       return refuse();
     }
     // a stranger may change what a child proposed, which was looked at there
-    if (status != Status::failure && out.leader != kNone) {
-      if (implausible_field(out.action) != kFields<Action>) {
+    if (status != Status::failure && !children_.empty()) {
+      if (out.leader != kNone && implausible_field(out.action) != kFields<Action>) {
         detail::note_mistake(t, index_, out);
         return refuse();
       }

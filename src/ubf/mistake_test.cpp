@@ -173,6 +173,32 @@ class Shifted final : public Decorator<State, Action> {
   }
 };
 
+/// Asks, forgets what was proposed, and proposes something itself.
+class Replaced final : public Decorator<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "replaced";
+  using Decorator::Decorator;
+  Status tick(const RobotTick& t, RobotProposal& out) const override {
+    const Status status = ask_child(t, out);
+    out.clear();
+    out.action.heading = t.state.range;
+    return status;
+  }
+};
+
+TEST(Mistake, IsNotToTakeAStrangersFieldForItsChilds) {
+  RobotRegistry registry;
+  add_standard_nodes(registry);
+  registry.add<Probe>();
+  registry.add<Replaced>("a plug-in");
+  Robot robot(build("{selector: [{replaced: {probe: {cue: 0}}}]}", {}, registry));
+  robot.cue(0) = {kRunning, 9, {.heading = 1}};
+  robot.state.range = 2;
+  EXPECT_EQ(robot.tick(), kRunning);
+  EXPECT_EQ(robot.out.action.heading, 2);
+  EXPECT_EQ(robot.row("root").supplier[0], robot.node("root/replaced"));
+}
+
 TEST(Mistake, IsWhatAStrangerMakesOfItsChildsProposal) {
   RobotRegistry registry;
   add_standard_nodes(registry);

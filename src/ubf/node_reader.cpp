@@ -98,6 +98,10 @@ std::optional<std::size_t> NodeReader::field(const Value& name) {
 std::optional<std::string> NodeReader::file(const Value& name) {
   if (files_)
     return files_->read(name, diagnostics_);
+  return no_file(name);
+}
+
+std::nullopt_t NodeReader::no_file(const Value& name) {
   return diagnostics_.error(name.where, "there is no file {}: nodes of this tree have no files",
                             quote(name.text));
 }
@@ -172,13 +176,11 @@ NodeReader::Child NodeReader::make(const NodeSpec& spec) {
       const Value words = Value::scalar(spec.type, spec.where);
       return make({std::string(kHolds), spec.where, &words});
     }
-    std::vector<std::string> names = listed(registry_.catalog(), &NodeInfo::name);
-    names.insert(names.begin(), std::string(kTreeReference));
     const std::string first = spec.type.substr(0, spec.type.find_first_of(" {["));
     diagnostics_.error(spec.where, "there is no node {}{}", quote(spec.type),
                        first != spec.type && registry_.find(first)
                            ? fmt::format("; a colon is missing behind '{}'", first)
-                           : did_you_mean(spec.type, names));
+                           : registry_.did_you_mean(spec.type));
     read_below_unknown(*spec.body);
     return nullptr;
   }
@@ -370,7 +372,7 @@ void NodeReader::read_slots(AnyNode& node, const NodeSpec& spec) {
     if (const Value* child = body.find(slot))
       node.children_.push_back(read(*child));
     else
-      diagnostics_.error(spec.where, "{} needs a '{}'", spec.type, slot);
+      diagnostics_.error(spec.where, "{} needs '{}'", spec.type, slot);
   }
 }
 

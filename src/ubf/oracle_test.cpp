@@ -44,6 +44,7 @@ class Grower {
     }
     n.limit = 1 + pick(count);
     n.span = 0.5 * (1 + pick(5));
+    n.flag = n.is_one_of({"parallel", "force_success", "force_failure"}) && pick(2);
     for (int i = 0; i < count; ++i)
       n.children.push_back(node(depth - 1));
     return n;
@@ -75,6 +76,8 @@ std::string text_of(const Oracle& n) {
     say(n.type == "repeat" ? "count" : "attempts", n.number);
   if (n.type == "run_once")
     say("then", n.number == 0 ? "same" : n.number == 1 ? "failure" : "success");
+  if (n.flag)
+    say(n.type == "parallel" ? "once" : "running", true);
   if (n.type == "commitment")
     say("margin", 1), span_as("min_time");
   else if (n.is_one_of({"suppress", "inhibit"}))

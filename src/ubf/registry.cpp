@@ -16,6 +16,38 @@ std::vector<std::string> child_keys(const NodeType& type) {
   return {type.child_keys.begin(), type.child_keys.end()};
 }
 
+/// What nodes of BehaviorTree.CPP, py_trees and the Unreal Engine are here, by their names without
+/// letter case and underscores.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 27> kElsewhere{{
+    {"alwaysfail", "always_failure"},
+    {"alwayssucceed", "always_success"},
+    {"asyncfallback", "selector_with_memory"},
+    {"asyncsequence", "sequence_with_memory"},
+    {"eternalguard", "guard"},
+    {"failure", "always_failure"},
+    {"failureissuccess", "force_success"},
+    {"fallback", "selector"},
+    {"keeprunninguntilfailure", "repeat"},
+    {"loopdouble", "for_each"},
+    {"loopint", "for_each"},
+    {"oneshot", "run_once"},
+    {"precondition", "guard"},
+    {"reactivefallback", "selector"},
+    {"reactivesequence", "sequence"},
+    {"retryuntilsuccessful", "retry"},
+    {"runningisfailure", "force_failure"},
+    {"runningissuccess", "force_success"},
+    {"scriptcondition", "holds"},
+    {"simpleparallel", "parallel"},
+    {"sleep", "wait"},
+    {"subtree", "tree"},
+    {"success", "always_success"},
+    {"successisfailure", "force_failure"},
+    {"timelimit", "timeout"},
+    {"timer", "wait"},
+    {"whiledoelse", "while"},
+}};
+
 }  // namespace
 
 void AnyRegistry::mark_standard() {
@@ -26,6 +58,24 @@ void AnyRegistry::mark_standard() {
 const NodeInfo* AnyRegistry::find(std::string_view name) const {
   const auto found = by_name_.find(name);
   return found == by_name_.end() ? nullptr : &infos_[found->second];
+}
+
+std::string AnyRegistry::did_you_mean(std::string_view wrong) const {
+  if (wrong == "SequenceWithMemory")  // goes on after a failure there
+    return "; did you mean 'sequence_with_memory', which starts anew after a failure?";
+  if (wrong == "Sequence" || wrong == "Fallback")  // resume there, and start anew here
+    return fmt::format("; did you mean '{0}', or, as in BehaviorTree.CPP, '{0}_with_memory'?",
+                       wrong == "Sequence" ? "sequence" : "selector");
+  std::string plain;
+  for (const char c : wrong)
+    if (c != '_')
+      plain += to_small(c);
+  for (const auto& [theirs, ours] : kElsewhere)
+    if (plain == theirs && (find(ours) || ours == kTreeReference))
+      return fmt::format("; did you mean '{}'?", ours);
+  std::vector<std::string> names = listed(infos_, &NodeInfo::name);
+  names.insert(names.begin(), std::string(kTreeReference));
+  return eyrie::did_you_mean(wrong, names);
 }
 
 void AnyRegistry::add(const NodeType& type, std::string origin) {

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  Names in files -> nodes. Every type is registered once, in one line.
 #include <map>
+#include <typeindex>
 
 #include "ubf/expression.hpp"
 #include "ubf/spec.hpp"
@@ -16,6 +17,22 @@ class NodeFiles {
   /// The bytes of the file that a value names, or nothing after reporting why there are none.
   [[nodiscard]] virtual std::optional<std::string> read(const Value& name,
                                                         Diagnostics& diagnostics) = 0;
+  /// The path of that file: the same for all nodes that name it.
+  [[nodiscard]] virtual std::string path_of(const Value& name) const = 0;
+  /// What `make(bytes)` gives, a std::shared_ptr<const Made>, read and made once for all nodes that
+  /// name the file; null, after reporting, is not kept.
+  template <class Made, class Make>
+  [[nodiscard]] std::shared_ptr<const Made> made_of(const Value& name, Diagnostics& diagnostics,
+                                                    Make make) {
+    std::shared_ptr<const void>& made = made_[{typeid(Made), path_of(name)}];
+    if (!made)
+      if (auto bytes = read(name, diagnostics))
+        made = make(std::move(*bytes));
+    return std::static_pointer_cast<const Made>(made);
+  }
+
+ private:
+  std::map<std::pair<std::type_index, std::string>, std::shared_ptr<const void>> made_;
 };
 
 /// What is registered, whatever states and actions it is for.
@@ -26,6 +43,8 @@ class AnyRegistry {
   /// Every registered type, in the order of registration.
   [[nodiscard]] std::span<const NodeInfo> catalog() const { return infos_; }
   [[nodiscard]] const NodeInfo* find(std::string_view name) const;
+  /// What a name may have been meant to be, also one of another library, as core's did_you_mean.
+  [[nodiscard]] std::string did_you_mean(std::string_view wrong) const;
 
  protected:
   explicit AnyRegistry(std::vector<StateFieldInfo> fields) : fields_(std::move(fields)) {}
@@ -121,6 +140,14 @@ class NodeReader {
   [[nodiscard]] std::optional<std::size_t> field(const Value& name);
   /// The bytes of the file that a value names, or nothing after reporting.
   [[nodiscard]] std::optional<std::string> file(const Value& name);
+  /// What `make(bytes)` gives of that file (NodeFiles::made_of); null after reporting.
+  template <class Made, class Make>
+  [[nodiscard]] std::shared_ptr<const Made> made_of(const Value& name, Make make) {
+    if (files_)
+      return files_->made_of<Made>(name, diagnostics_, make);
+    no_file(name);
+    return nullptr;
+  }
   [[nodiscard]] const StateFieldInfo& info(std::size_t field) const {
     return registry_.fields_[field];
   }
@@ -131,6 +158,7 @@ class NodeReader {
   }
 
  private:
+  std::nullopt_t no_file(const Value& name);
   [[nodiscard]] bool within_limits(const Location& where);
   [[nodiscard]] Child read_reference(const NodeSpec& spec);
   [[nodiscard]] Child make_changed(NodeSpec spec);

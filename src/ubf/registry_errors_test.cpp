@@ -55,7 +55,7 @@ TEST(RegistryErrors, WhatIsNoNodeIsRefused) {
             "test.yaml:1:1: expected a node, such as 'navigate' or {navigate: {...}}, got a list");
   EXPECT_EQ(mistakes("{}"),
             "test.yaml:1:1: expected a node, such as 'navigate' or {navigate: {...}}, got a map");
-  EXPECT_EQ(mistakes("{selector: [{inverter: }]}"), "test.yaml:1:14: inverter needs a 'child'");
+  EXPECT_EQ(mistakes("{selector: [{inverter: }]}"), "test.yaml:1:14: inverter needs 'child'");
   EXPECT_EQ(mistakes("{inverter: {child: }}"),
             "test.yaml:1:13: expected a node, such as 'navigate' or {navigate: {...}}, got "
             "nothing");
@@ -100,7 +100,25 @@ TEST(RegistryErrors, ADecoratorTakesExactlyOneChild) {
             "test.yaml:1:2: cooldown needs the parameter 'duration'");
   EXPECT_EQ(mistakes("{inverter: {chek: {cue: 1}}}"),
             "test.yaml:1:13: there is no node 'chek'; did you mean 'check'?");
-  EXPECT_EQ(mistakes("{guard: {child: {probe: {cue: 1}}}}"), "test.yaml:1:2: guard needs a 'when'");
+  EXPECT_EQ(mistakes("{guard: {child: {probe: {cue: 1}}}}"), "test.yaml:1:2: guard needs 'when'");
+}
+
+TEST(RegistryErrors, NamesOfOtherLibrariesAreKnown) {
+  const auto meant = [](const std::string& name) {
+    const std::string said = mistakes("{" + name + ": [{probe: {cue: 1}}]}");
+    const std::string begin = "test.yaml:1:2: there is no node '" + name + "'; did you mean ";
+    return said.starts_with(begin) ? said.substr(begin.size()) : said;
+  };
+  EXPECT_EQ(meant("ReactiveFallback"), "'selector'?");
+  EXPECT_EQ(meant("fallback"), "'selector'?");
+  EXPECT_EQ(meant("keep_running_until_failure"), "'repeat'?");
+  EXPECT_EQ(meant("OneShot"), "'run_once'?");
+  EXPECT_EQ(meant("Success"), "'always_success'?");
+  EXPECT_EQ(meant("SubTree"), "'tree'?");
+  EXPECT_EQ(meant("Sequence"), "'sequence', or, as in BehaviorTree.CPP, 'sequence_with_memory'?");
+  EXPECT_EQ(meant("sequense"), "'sequence'?");
+  EXPECT_EQ(mistakes("{repeat: {count: -1, child: {probe: {cue: 1}}}}"),
+            "test.yaml:1:18: count: -1 is outside [1, 1000000000]; null: repeats for ever");
 }
 
 TEST(RegistryErrors, CommitmentTakesOneFormOfChildren) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Every arbiter, control node and decorator that comes with the library.
+/// \file  Every arbiter, control node, decorator and leaf that comes with the library.
 #include "ubf/arbiter/fusion.hpp"
 #include "ubf/arbiter/grid.hpp"
 #include "ubf/arbiter/layers.hpp"
@@ -14,6 +14,7 @@
 #include "ubf/decorator/for_each.hpp"
 #include "ubf/decorator/outcome.hpp"
 #include "ubf/decorator/timing.hpp"
+#include "ubf/leaf/constant.hpp"
 #include "ubf/leaf/holds.hpp"
 #include "ubf/registry.hpp"
 #include "ubf/sequencer.hpp"
@@ -29,7 +30,7 @@ void add_all(Registry<State, Action>& registry) {
 
 template <class State, class Action>
 void add_standard_nodes(Registry<State, Action>& registry) {
-  detail::add_all<Holds>(registry);
+  detail::add_all<Holds, AlwaysSuccess, AlwaysFailure, Wait>(registry);
   detail::add_all<WinnerTakesAll, PerField, Fusion, PaperFusion, Commitment, Priority, Suppress,
                   Inhibit, WeightedRandom, Verify, MotorSchema, VoteGrid, Utility>(registry);
   detail::add_all<Selector, Sequence, SelectorWithMemory, SequenceWithMemory, Parallel, ParallelAll,

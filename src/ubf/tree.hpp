@@ -6,7 +6,8 @@
 
 namespace eyrie::ubf {
 
-/// Owns the nodes, numbers them in pre-order and lays out the memory that each agent needs.
+/// Owns the nodes, numbers them in pre-order and lays out the memory that each agent needs. Nothing
+/// in it changes once it is made: any number of threads may tick it, each with other agents.
 template <class State, class Action>
 class Tree : public AnyTree {
  public:

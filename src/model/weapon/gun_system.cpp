@@ -70,7 +70,14 @@ void GunSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chun
     const GunType& gun = library_->guns[*mounted];
     const double density = library_->environment.atmosphere.at(kinematics[i].altitude).density;
     const auto target = in_sight(gun, density, i, kinematics);
-    if (target && (state.burst_rounds == 0 || state.burst_target != ids[target->row])) {
+    const double chance = target
+                              ? hit_probability(gun, target->lead,
+                                                library_->aircraft[fit[target->row].type].signature,
+                                                kinematics[target->row])
+                              : 0;
+    // another one takes the burst over as soon as it can hit him
+    if (target && (state.burst_rounds == 0 || !state.burst_target ||
+                   (state.burst_target != ids[target->row] && chance > 0))) {
       if (state.burst_target) {  // to each his own burst; the gun fires on
         const double owed = state.owed;
         end_burst(ids[i], kinematics[i].position, state, out);
@@ -83,8 +90,6 @@ void GunSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chun
     const std::uint32_t rounds = fire(gun, info.dt, state);
     std::uint32_t hits = 0;
     if (target) {
-      const Signature& size = library_->aircraft[fit[target->row].type].signature;
-      const double chance = hit_probability(gun, target->lead, size, kinematics[target->row]);
       Draw draw(info.seed, ids[i], Stream::gun, info.step);
       for (std::uint32_t round = 0; chance > 0 && round < rounds; ++round)
         hits += draw.chance(chance) ? 1 : 0;

@@ -73,6 +73,25 @@ TEST(GunSystem, ABurstIsAtWhoComesIntoTheSightAndEachHasHisOwn) {
   EXPECT_EQ(bursts[0].values[0] + bursts[1].values[0], 50) << "the gun fires on";
 }
 
+TEST(GunSystem, ABurstGoesOnPastWhoIsInTheSightAndCannotBeHit) {
+  Chase chase(500);
+  const auto& columns = chase.range.aircraft();
+  chase.trigger(true);
+  for (int i = 0; i < 20; ++i) {
+    // 2 degrees aside, the other 1.8 on the other side: both outside of the cone
+    const Vec3 here = chase.range.row(columns.kinematics, chase.blue).position;
+    chase.range.row(columns.kinematics, chase.red).position = here + Vec3{500, 17, 0};
+    chase.range.row(columns.damage, chase.red).damage = 0;
+    if (i == 10)
+      chase.range.add({here.x + 500, -15.7, here.z}, 0, 250, Side::red);
+    chase.range.step();
+  }
+  chase.trigger(false);
+  chase.range.run(0.1);
+  ASSERT_EQ(chase.range.count(E::gun_burst), 1U);
+  EXPECT_EQ(chase.range.all(E::gun_burst)[0].whom, chase.red);
+}
+
 TEST(GunSystem, ReportsLongBurstsInPartsAndStopsWhenTheDrumIsEmpty) {
   Chase chase(5000);
   chase.trigger(true);

@@ -12,14 +12,13 @@ std::shared_ptr<const PolicyFile> policy_in(const ubf::NodeSpec& spec, ubf::Node
   const Value* name = spec.body->find("file");
   if (!name || !name->is_scalar())
     return nullptr;  // reported with the parameters
-  auto bytes = reader.file(*name);
-  if (!bytes)
-    return nullptr;
-  Diagnostics wrong;
-  auto policy = PolicyFile::read(std::move(*bytes), name->text, wrong);
-  for (const Diagnostic& one : wrong.sorted())
-    reader.error(name->where, one.text());
-  return policy ? std::make_shared<const PolicyFile>(std::move(*policy)) : nullptr;
+  return reader.made_of<PolicyFile>(*name, [&](std::string bytes) {
+    Diagnostics wrong;
+    auto policy = PolicyFile::read(std::move(bytes), name->text, wrong);
+    for (const Diagnostic& one : wrong.sorted())
+      reader.error(name->where, one.text());
+    return policy ? std::make_shared<const PolicyFile>(std::move(*policy)) : nullptr;
+  });
 }
 
 /// One evaluation in a state: what comes out.

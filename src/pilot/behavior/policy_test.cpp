@@ -20,10 +20,16 @@ using namespace pilot::testing;
 class OneFile final : public ubf::NodeFiles {
  public:
   explicit OneFile(std::string bytes) : bytes_(std::move(bytes)) {}
-  std::optional<std::string> read(const Value&, Diagnostics&) override { return bytes_; }
+  std::optional<std::string> read(const Value&, Diagnostics&) override {
+    ++read_;
+    return bytes_;
+  }
+  std::string path_of(const Value& name) const override { return name.text; }
+  [[nodiscard]] int count() const { return read_; }
 
  private:
   std::string bytes_;
+  int read_ = 0;
 };
 
 std::optional<Tree> read(const std::string& text, const std::string& bytes,
@@ -43,6 +49,25 @@ std::string mistakes(const std::string& text, const std::string& bytes) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read(text, bytes, diagnostics));
   return diagnostics.text();
+}
+
+TEST(NodeFiles, ReadAndMakeOnceWhatSeveralNodesName) {
+  OneFile files("bytes");
+  Diagnostics diagnostics;
+  const auto make = [](const std::string& bytes) {
+    return std::make_shared<const std::string>(bytes);
+  };
+  const auto made = [&](const char* name) {
+    return files.made_of<std::string>(Value::scalar(name), diagnostics, make);
+  };
+  const auto one = made("one");
+  EXPECT_EQ(*one, "bytes");
+  EXPECT_EQ(made("one"), one);
+  EXPECT_EQ(files.count(), 1);
+  EXPECT_NE(made("two"), one);
+  const auto none = [](const std::string&) { return std::shared_ptr<const std::string>(); };
+  EXPECT_FALSE(files.made_of<std::string>(Value::scalar("bad"), diagnostics, none));
+  EXPECT_TRUE(made("bad")) << "a mistake is not kept";
 }
 
 /// A tree with its memory.
@@ -116,7 +141,7 @@ TEST(Policy, SaysWhatIsWrongWithItsFile) {
                 "its metadata has no word 'controls'\n" + at +
                 "its metadata has no word 'network'");
   EXPECT_EQ(mistakes(node, constant("turn -1 rad 1 rad", {1, 2})),
-            at + "2 numbers come out of the network, for 1 controls");
+            at + "outputs of the network: 2, controls: 1");
   EXPECT_EQ(mistakes(node, Safetensors()
                                .word("eyrie_policy", "1")
                                .word("observation", "mach linear 0 2\nmack linear 0 2")

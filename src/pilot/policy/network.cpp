@@ -144,6 +144,7 @@ void Sums::of(const float* x, float* out) const {
 
 std::optional<Network::Layer> Network::read_layer(LayoutLine& line, std::size_t inputs,
                                                   const TensorFile& tensors,
+                                                  std::set<std::string>& names,
                                                   Diagnostics& diagnostics) {
   static constexpr auto kKinds = enum_names<LayerKind>();
   static constexpr auto kActivations = enum_names<Activation>();
@@ -159,6 +160,10 @@ std::optional<Network::Layer> Network::read_layer(LayoutLine& line, std::size_t 
   const std::string name(line.word());
   if (name.empty()) {
     line.fail("expected the name of the layer, got the end");
+    return std::nullopt;
+  }
+  if (!names.insert(name).second) {  // its weights would take memory once more
+    line.fail(fmt::format("the layer {} is there already", quote(name)));
     return std::nullopt;
   }
   if (layer.kind == LayerKind::linear)
@@ -207,6 +212,7 @@ std::optional<Network> Network::read(std::string_view text, const Location& wher
                                      Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.count();
   Network network;
+  std::set<std::string> names;
   network.inputs_ = inputs;
   if (inputs == 0 || inputs > kMostUnits)
     diagnostics.error(where, fmt::format("a network takes 1 to {} numbers", kMostUnits));
@@ -219,7 +225,7 @@ std::optional<Network> Network::read(std::string_view text, const Location& wher
       return;
     }
     const std::size_t fed = network.layers_.empty() ? inputs : network.outputs();
-    auto layer = read_layer(line, fed, tensors, diagnostics);
+    auto layer = read_layer(line, fed, tensors, names, diagnostics);
     if (!layer)
       return;
     layer->memory = network.memory_;

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  Neural networks of learned behaviors: layers one behind the other, in single precision,
 /// with the same bits on every machine.
+#include <set>
 #include <span>
 
 #include "core/enum_names.hpp"
@@ -81,7 +82,8 @@ class Network {
     Sums sums, recurrent;    ///< of its inputs, of its memory
   };
   static std::optional<Layer> read_layer(LayoutLine& line, std::size_t inputs,
-                                         const TensorFile& tensors, Diagnostics& diagnostics);
+                                         const TensorFile& tensors, std::set<std::string>& names,
+                                         Diagnostics& diagnostics);
 
   std::size_t inputs_ = 0, memory_ = 0;
   std::vector<Layer> layers_;

@@ -98,15 +98,19 @@ TEST(Network, GivesTheSameBitsEverywhere) {
 
 TEST(Network, SaysWhatDoesNotFit) {
   std::string many;
-  for (int i = 0; i < 1000; ++i)
-    many += "linear a\n";
-  EXPECT_NE(mistakes(many, Safetensors().linear("a", 3, 3, 1)).find("net:17:"), std::string::npos)
+  Safetensors layers;
+  for (int i = 0; i < 20; ++i) {
+    many += fmt::format("linear a{}\n", i);
+    layers.linear(fmt::format("a{}", i), 3, 3, 1);
+  }
+  EXPECT_NE(mistakes(many, layers).find("net:17:"), std::string::npos)
       << "none is read beyond the sixteenth";
   const Safetensors file = Safetensors().linear("a.0", 3, 5, 1).recurrent("m", 3, 3, 5, 1);
   EXPECT_EQ(mistakes("linear a.1", file),
             "net.safetensors: there is no tensor 'a.1.weight'; did you mean 'a.0.weight'?");
-  EXPECT_EQ(mistakes("linear a.0\nlinear a.0", file),
-            "net.safetensors: tensor 'a.0.weight': expected the shape [any, 5], found [5, 3]");
+  EXPECT_EQ(mistakes("linear a.0\nlinear a.0", file), "net:2:8: the layer 'a.0' is there already");
+  EXPECT_EQ(mistakes("linear a.0\nlinear b", Safetensors(file).linear("b", 3, 5, 1)),
+            "net.safetensors: tensor 'b.weight': expected the shape [any, 5], found [5, 3]");
   EXPECT_EQ(mistakes("lstm m", file),
             "net.safetensors: tensor 'm.weight_ih_l0': 15 rows make no layer of 1 to 1024 units");
   EXPECT_EQ(mistakes("liner a.0", file),

@@ -83,8 +83,8 @@ std::optional<PolicyFile> PolicyFile::read(std::string bytes, FileName file,
     return std::nullopt;
   policy.network = std::move(*network);
   if (!policy.votes && policy.network.outputs() != policy.controls.size()) {
-    words.error(fmt::format("{} numbers come out of the network, for {} controls",
-                            policy.network.outputs(), policy.controls.size()));
+    words.error(fmt::format("outputs of the network: {}, controls: {}", policy.network.outputs(),
+                            policy.controls.size()));
     return std::nullopt;
   }
   return policy;

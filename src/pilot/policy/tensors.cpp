@@ -105,8 +105,10 @@ std::optional<TensorFile> TensorFile::read(std::string bytes, FileName file,
   std::uint64_t length = 0;
   for (std::size_t i = 0; i < kLength && i < all.size(); ++i)
     length |= std::uint64_t{static_cast<unsigned char>(all[i])} << (8 * i);
-  if (all.size() < kLength || length > kLargestHeader || length > all.size() - kLength) {
-    diagnostics.error({file}, "no file of tensors (.safetensors), or one that is cut");
+  const bool is_whole = all.size() >= kLength && length <= all.size() - kLength;
+  if (!is_whole || length > kLargestHeader) {
+    diagnostics.error({file}, is_whole ? "its header is larger than 1 MB"
+                                       : "no file of tensors (.safetensors), or one that is cut");
     return std::nullopt;
   }
   const auto header_size = static_cast<std::size_t>(length);

@@ -62,6 +62,9 @@ class Priority final : public Ranked<State, Action, PriorityMemory> {
 
   std::vector<bool> interruptible;
 
+  [[nodiscard]] bool remembers() const noexcept override {
+    return std::ranges::find(interruptible, false) != interruptible.end();
+  }
   [[nodiscard]] std::string problem() const override {
     const std::size_t count = this->children_.size();
     if (!interruptible.empty() && interruptible.size() != count)
@@ -112,6 +115,7 @@ class Suppress final : public Ranked<State, Action, SuppressMemory<Action>> {
 
   double hold = 0;  ///< s
 
+  [[nodiscard]] bool remembers() const noexcept override { return hold > 0; }
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
     const auto [child, status] = this->first_heard(t, out);
@@ -165,6 +169,7 @@ class Inhibit final : public WithMemory<Arbiter<State, Action>, InhibitMemory> {
 
   double hold = 0;  ///< s
 
+  [[nodiscard]] bool remembers() const noexcept override { return hold > 0; }
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     const auto &higher = *this->children_[0], &lower = *this->children_[1];
     auto& m = this->memory(t);

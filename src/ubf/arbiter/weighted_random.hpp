@@ -35,6 +35,7 @@ class WeightedRandom final : public WithMemory<Arbiter<State, Action>, WeightedR
 
   double keep = 0;  ///< s
 
+  [[nodiscard]] bool remembers() const noexcept override { return keep > 0; }
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
     const NodeIndex kept = passed(t.time, m.since, keep) ? kNone : m.child.get();

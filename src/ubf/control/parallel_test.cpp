@@ -100,6 +100,39 @@ TEST(Parallel, ClosesItsArbitersWhenItEnds) {
   EXPECT_EQ(robot.halts("root/winner_takes_all/probe[1]"), 1);
 }
 
+TEST(Parallel, AsksEachChildOnceIfToldTo) {
+  auto node = make<Par>(probe(0), probe(1));
+  node->once = true;
+  Robot robot(std::move(node));
+  robot.say(0, kSuccess);
+  robot.say(1, kRunning);
+  EXPECT_EQ(robot.tick(), kRunning);
+  robot.say(0, kFailure);
+  EXPECT_EQ(robot.tick(), kRunning) << "it has succeeded";
+  EXPECT_FALSE(robot.asked_now("root/probe[0]"));
+  robot.say(1, kSuccess);
+  EXPECT_EQ(robot.tick(), kSuccess);
+  robot.say(1, kRunning);
+  EXPECT_EQ(robot.tick(), kFailure) << "it begins anew, and ends with the first that fails";
+  EXPECT_TRUE(robot.asked_now("root/probe[0]"));
+  EXPECT_EQ(robot.halts("root/probe[1]"), 1);
+  EXPECT_EQ(robot.halts("root/probe[0]"), 0);
+}
+
+TEST(Parallel, ForgetsAnArbiterThatEndedOnceAtOnce) {
+  auto node = make<Par>(make<Wta>(probe(0), probe(1)), probe(2));
+  node->once = true;
+  Robot robot(std::move(node));
+  robot.say(0, kSuccess, 5);
+  robot.say(1, kRunning, 1);
+  robot.say(2, kRunning);
+  EXPECT_EQ(robot.tick(), kRunning);
+  EXPECT_EQ(robot.halts("root/winner_takes_all/probe[1]"), 1);
+  robot.say(2, kSuccess);
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_EQ(robot.halts("root/winner_takes_all/probe[1]"), 0) << "not twice";
+}
+
 TEST(Parallel, RefusesThresholdsThatCannotBeReached) {
   EXPECT_EQ(parallel(3, 4, 1)->problem(), "success_count is 4, but there are 3 children");
   EXPECT_EQ(parallel(1, 1, 2)->problem(), "failure_count is 2, but there is 1 child");
@@ -179,7 +212,7 @@ TEST(ParallelAll, ClosesAnArbiterThatEnded) {
 }
 
 TEST(ParallelAll, RefusesWhatCannotBeReached) {
-  EXPECT_EQ(parallel_all(2, 3)->problem(), "failure_count is 3, but the number of children is 2");
+  EXPECT_EQ(parallel_all(2, 3)->problem(), "failure_count is 3, but there are 2 children");
   EXPECT_EQ(parallel_all(65, 1)->problem(), "parallel_all takes at most 64 children, here are 65");
   EXPECT_EQ(parallel_all(64, 64)->problem(), "");
 }

@@ -12,52 +12,68 @@ constexpr auto names_of(Afterwards) {
   return names_from_zero<Afterwards>("same", "failure", "success");
 }
 
-/// The base of inverter, force_success and force_failure: what a child's success and its failure
-/// become; running stays. A failing child's proposal is ignored as everywhere, so a success made of
-/// a failure proposes nothing.
-template <class State, class Action, Status on_success, Status on_failure>
-class Turning : public Decorator<State, Action> {
- public:
-  using Decorator<State, Action>::Decorator;
-
-  Status tick(const Tick<State>& t, Proposal<Action>& out) const final {
-    const Status answer = this->ask_child(t, out);
-    if (answer == Status::running)
-      return answer;
-    if (answer == Status::failure && on_failure == Status::success)
-      out.clear();
-    return answer == Status::success ? on_success : on_failure;
-  }
-};
-
-/// Success becomes failure and failure success.
+/// Success becomes failure and failure success. A failing child's proposal is ignored as
+/// everywhere, so a success made of a failure proposes nothing.
 ///   inverter: has_target
 template <class State, class Action>
-class Inverter final : public Turning<State, Action, Status::failure, Status::success> {
+class Inverter final : public Decorator<State, Action> {
  public:
   static constexpr std::string_view type_name = "inverter";
   static constexpr std::string_view help = "success becomes failure and failure success";
-  using Inverter::Turning::Turning;
+  using Decorator<State, Action>::Decorator;
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    const Status answer = this->ask_child(t, out);
+    if (answer == Status::running)
+      return answer;
+    out.clear();
+    return answer == Status::success ? Status::failure : Status::success;
+  }
 };
 
-/// Failure becomes success.
+/// The base of force_success and force_failure: what a child becomes that ended otherwise, and with
+/// `running` also one that runs, which goes on in the next tick.
+template <class State, class Action, Status forced>
+class Forcing : public Decorator<State, Action> {
+ public:
+  [[nodiscard]] static constexpr auto params() {
+    return Lines{param("running", &Forcing::running, "also a child that runs")};
+  }
+  using Decorator<State, Action>::Decorator;
+
+  bool running = false;
+
+  [[nodiscard]] bool stands() const noexcept final { return running || this->any_child_stands(); }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const final {
+    const Status answer = this->ask_child(t, out);
+    if (answer == Status::running && !running)
+      return answer;
+    if (answer == Status::failure)
+      out.clear();
+    return forced;
+  }
+};
+
+/// Failure becomes success, with `running` also running: a sequence goes on behind a plain
+/// behavior, which runs for ever; what it proposes goes up if nobody behind it proposes.
 ///   force_success: shoot_gun
 template <class State, class Action>
-class ForceSuccess final : public Turning<State, Action, Status::success, Status::success> {
+class ForceSuccess final : public Forcing<State, Action, Status::success> {
  public:
   static constexpr std::string_view type_name = "force_success";
-  static constexpr std::string_view help = "failure becomes success; running stays running";
-  using ForceSuccess::Turning::Turning;
+  static constexpr std::string_view help = "failure becomes success; running too, if asked for";
+  using ForceSuccess::Forcing::Forcing;
 };
 
-/// Success becomes failure.
+/// Success becomes failure, with `running` also running.
 ///   force_failure: shoot_gun
 template <class State, class Action>
-class ForceFailure final : public Turning<State, Action, Status::failure, Status::failure> {
+class ForceFailure final : public Forcing<State, Action, Status::failure> {
  public:
   static constexpr std::string_view type_name = "force_failure";
-  static constexpr std::string_view help = "success becomes failure; running stays running";
-  using ForceFailure::Turning::Turning;
+  static constexpr std::string_view help = "success becomes failure; running too, if asked for";
+  using ForceFailure::Forcing::Forcing;
 };
 
 struct RepeatingMemory {

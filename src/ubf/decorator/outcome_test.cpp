@@ -66,6 +66,21 @@ TEST(ForceSuccess, PassesEverythingElse) {
   }
 }
 
+TEST(ForceSuccess, OfARunningChildGoesOnNextTickAndIsHaltedByWhoStopsAsking) {
+  auto node = make<ForceSuccess<State, Action>>(probe(0));
+  node->running = true;
+  Robot robot(make<Sequence<State, Action>>(probe(1), std::move(node)));
+  robot.say(1, kSuccess);
+  robot.cue(0) = {kRunning, 3, {.heading = 1}};
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_TRUE(equal(robot.out.action, {.heading = 1}));
+  EXPECT_EQ(robot.asked("root/force_success/probe"), 2u);
+  robot.say(1, kFailure);
+  EXPECT_EQ(robot.tick(), kFailure);
+  EXPECT_EQ(robot.asked("root/force_success/probe"), 0u);
+}
+
 TEST(ForceFailure, TurnsSuccessIntoFailure) {
   Robot robot(make<ForceFailure<State, Action>>(probe(0)));
   for (const Status says : {kSuccess, kFailure}) {

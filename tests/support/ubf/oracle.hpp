@@ -26,21 +26,24 @@ inline bool is_heard(const Answer& a) {
 struct Oracle {
   std::string type;
   std::vector<Oracle> children;
-  int number = 0;   ///< the cue of a probe, the first parameter of others
-  int limit = 1;    ///< failure_count
-  double span = 0;  ///< s
+  int number = 0;     ///< the cue of a probe, the first parameter of others
+  int limit = 1;      ///< failure_count
+  double span = 0;    ///< s
+  bool flag = false;  ///< once, running
   // memory
   int count = 0, chosen = 0;
   bool running = false;
   std::optional<double> since;
   Answer held;
-  std::vector<int> marks;  ///< by child: it goes on, or how it ended
+  std::vector<int> marks;    ///< by child: it goes on, or how it ended
+  std::vector<Status> ends;  ///< of a parallel, by child
 
   void halt() {
     count = chosen = 0;
     running = false;
     since.reset();
     marks.assign(children.size(), 0);
+    ends.assign(children.size(), kRunning);
     for (Oracle& child : children)
       child.halt();
   }
@@ -51,6 +54,8 @@ struct Oracle {
   [[nodiscard]] bool stands() const {
     if (is_one_of({"winner_takes_all", "per_field", "priority", "commitment", "suppress", "inhibit",
                    "sequencer"}))
+      return true;
+    if (is_one_of({"force_success", "force_failure"}) && flag)
       return true;
     return is_one_of({"selector", "sequence", "while", "guard", "inverter", "force_success",
                       "force_failure", "timeout"}) &&
@@ -162,17 +167,24 @@ struct Asking {
     Answer all;
     int successes = 0, failures = 0;
     for (std::size_t i = 0; i < n.children.size(); ++i) {
-      const Answer answer = ask_marked(n, i);
-      successes += answer.status == kSuccess;
-      failures += answer.status == kFailure;
-      merge(all, answer);
+      Status& ended = n.ends[i];
+      if (!n.flag || ended == kRunning) {
+        const Answer answer = n.flag ? ask_to_its_end(n.children[i]) : ask_marked(n, i);
+        ended = answer.status;
+        n.marks[i] = n.flag ? ended == kRunning : n.marks[i];
+        merge(all, answer);
+      }
+      successes += ended == kSuccess;
+      failures += ended == kFailure;
     }
     const int count = static_cast<int>(n.children.size()), enough = n.number ? n.number : count;
     all.status = successes >= enough                                ? kSuccess
                  : failures >= n.limit || count - failures < enough ? kFailure
                                                                     : kRunning;
-    for (std::size_t i = 0; i < n.children.size() && all.status != kRunning; ++i)
+    for (std::size_t i = 0; i < n.children.size() && all.status != kRunning; ++i) {
       leave(n, i);
+      n.ends[i] = kRunning;
+    }
     return all;
   }
   Answer parallel_all(Oracle& n) const {
@@ -273,6 +285,10 @@ struct Asking {
   }
   Answer turned(Oracle& n) const {
     const Answer answer = ask(n.children[0]);
+    if (n.flag && answer.status == kRunning)
+      return n.type == "force_success"
+                 ? Answer{kSuccess, answer.proposes, answer.altitude, answer.vote}
+                 : kNobody;
     if (answer.status == kRunning || (n.type == "force_success" && answer.status == kSuccess))
       return answer;
     if (n.type == "inverter")

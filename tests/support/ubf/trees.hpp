@@ -31,7 +31,10 @@ class Gardener {
   [[nodiscard]] std::uint32_t next_cue() { return cue_++ % State::kCues; }
   [[nodiscard]] Child node(std::size_t depth) {
     if (depth >= kDepth || cue_ > State::kCues - 6 || pick(3) == 0)
-      return pick(8) == 0 ? holds() : pick(4) == 0 ? check(next_cue()) : probe(next_cue());
+      return pick(8) == 0   ? holds()
+             : pick(8) == 0 ? constant()
+             : pick(4) == 0 ? check(next_cue())
+                            : probe(next_cue());
     return composite(depth);
   }
   [[nodiscard]] Children nodes(std::size_t count, std::size_t depth) {
@@ -73,9 +76,9 @@ class Gardener {
       case 8:
         return make<Inverter<S, A>>(node(depth + 1));
       case 9:
-        return make<ForceSuccess<S, A>>(node(depth + 1));
+        return forced<ForceSuccess<S, A>>(depth);
       case 10:
-        return make<ForceFailure<S, A>>(node(depth + 1));
+        return forced<ForceFailure<S, A>>(depth);
       case 11:
         return timeout(depth);
       case 12:
@@ -133,6 +136,12 @@ class Gardener {
     }
   }
   template <class Node>
+  [[nodiscard]] Child forced(std::size_t depth) {
+    auto made = make<Node>(node(depth + 1));
+    made->running = pick(2);
+    return made;
+  }
+  template <class Node>
   [[nodiscard]] Child timed(std::unique_ptr<Node> made, double Node::*seconds) {
     made.get()->*seconds = 0.1 * (1 + pick(4));
     return made;
@@ -153,6 +162,18 @@ class Gardener {
   template <class Node>
   [[nodiscard]] Child branches(std::size_t depth) {
     return make<Node>(nodes(3, depth));
+  }
+  [[nodiscard]] Child constant() {
+    switch (pick(3)) {
+      case 0:
+        return make<AlwaysSuccess<State, Action>>();
+      case 1:
+        return make<AlwaysFailure<State, Action>>();
+      default:
+        auto made = make<Wait<State, Action>>();
+        made->duration = 0.1 * (1 + pick(4));
+        return made;
+    }
   }
   [[nodiscard]] Child holds() {
     const Value text =
@@ -235,6 +256,7 @@ class Gardener {
     auto made = make<Parallel<State, Action>>(nodes(width, depth));
     made->success_count = 1 + pick(width);
     made->failure_count = 1 + pick(width);
+    made->once = pick(2);
     return made;
   }
   [[nodiscard]] Child timeout(std::size_t depth) {
