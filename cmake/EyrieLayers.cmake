@@ -79,8 +79,8 @@ function(eyrie_optimizes target layer)
     if(NOT layer MATCHES "^(core|sim|model|pilot|ubf|team|record)$")
       target_compile_options(${target} PRIVATE -O0)
     endif()
-  elseif(layer MATCHES "^(debrief|stats|sql|net|campaign|dis|live|tables|page|apps|web)$"
-         OR (layer MATCHES "^(scenario|record)$" AND NOT EYRIE_WASM))  # the page has them with -Os
+  elseif(NOT EYRIE_WASM  # the page has everything with -Os
+         AND layer MATCHES "^(scenario|record|debrief|stats|sql|net|campaign|dis|live|tables|page|apps|web)$")
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()

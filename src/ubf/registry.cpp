@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <exception>
 
+#include "core/text.hpp"
+
 namespace eyrie::ubf {
 namespace {
 
