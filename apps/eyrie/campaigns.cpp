@@ -35,10 +35,13 @@ void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
     if (has_file(typed, plugin))
       continue;
     std::error_code ignored;
-    const disk::FileRead read = scenario::read_plugin_file(plugin);
-    const std::string why =
-        scenario::refusal(trusted(), fs::weakly_canonical(plugin, ignored).string(), read.bytes);
-    if (read.problem.empty() && !why.empty())
+    const std::string path = fs::weakly_canonical(plugin, ignored).string();
+    const scenario::PluginPermission may_open = trusted();
+    std::string why = fs::exists(path, ignored) ? scenario::refusal(may_open, path) : "";
+    if (why.empty())
+      if (const disk::FileRead read = scenario::read_plugin_file(path); read.problem.empty())
+        why = scenario::refusal(may_open, path, read.bytes);
+    if (!why.empty())
       throw ConfigError(spec.plugins_where[i], "plug-in {}: {}", quote_path(plugin),
                         scenario::not_opened(why, plugin));
   }

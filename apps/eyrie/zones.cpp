@@ -5,7 +5,6 @@
 
 #include <deque>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -27,9 +26,11 @@ namespace {
 namespace weapon = model::weapon;
 using weapon::EmploymentZone;
 
+/// Of a file of zones, which has some 100 kB; nothing of what cannot be one.
 std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  constexpr std::size_t kLargest = 1 << 20;
+  disk::FileRead read = disk::read_file(path, kLargest);
+  return read.problem.empty() ? std::move(read.bytes) : std::string();
 }
 
 fs::path cache_folder() {
@@ -40,8 +41,16 @@ fs::path cache_file(std::uint64_t key) {
   return cache_folder() / fmt::format("{:016x}.zone", key);
 }
 
+bool is_cache_file(const fs::directory_entry& entry) {
+  const std::string stem = entry.path().stem().string();
+  std::error_code failed;
+  return entry.path().extension() == ".zone" && stem.size() == 16 &&
+         stem.find_first_not_of("0123456789abcdef") == stem.npos &&
+         entry.symlink_status(failed).type() == fs::file_type::regular;
+}
+
 /// Whole or not at all, and no word if it cannot be: the zone is flown again then. The oldest go
-/// when there are many.
+/// when there are many; what has no name of ours stays.
 void keep_in_cache(std::uint64_t key, std::string_view file) {
   constexpr std::size_t kMost = 100;
   const fs::path folder = cache_folder();
@@ -50,18 +59,17 @@ void keep_in_cache(std::uint64_t key, std::string_view file) {
     return;
   std::vector<std::pair<fs::file_time_type, fs::path>> old;
   for (const auto& entry : fs::directory_iterator(folder, failed))
-    old.emplace_back(entry.last_write_time(failed), entry.path());
+    if (is_cache_file(entry))
+      old.emplace_back(entry.last_write_time(failed), entry.path());
   std::ranges::sort(old);
   for (std::size_t i = 0; i + kMost <= old.size(); ++i)
     fs::remove(old[i].second, failed);
-  const fs::path made = cache_file(key).string() + fmt::format(".{}", ::getpid());
-  std::ofstream out(made, std::ios::binary | std::ios::trunc);
-  out << file;
-  out.close();
-  if (out)
-    fs::rename(made, cache_file(key), failed);
-  if (!out || failed)
-    fs::remove(made, failed);
+  try {
+    disk::OutputFile out(cache_file(key).string(), true);
+    out.sink().write(file);
+    out.commit();
+  } catch (const std::exception&) {  // a full disk, or somebody else's thing of that name
+  }
 }
 
 /// A bar on a terminal, nothing elsewhere.

@@ -121,6 +121,12 @@ std::vector<Measure> measures() {
        [](const Health& h) { return share(h.left_fighting, h.runs); }},
       {"defenses against a missile for somebody else",
        [](const Health& h) { return share(h.for_others, h.defenses); }},
+      {"runs with mates nearer than 500 ft",
+       [](const Health& h) { return share(h.near_mates, h.runs); }},
+      {"pilots who hit somebody in the air",
+       [](const Health& h) { return fmt::format("{}", h.collisions); }},
+      {"turned in again, of them lost within a minute",
+       [](const Health& h) { return share(h.recommits_lost, h.recommits); }},
       {"lost per run, blue and red",
        [=](const Health& h) {
          return fmt::format("{:.2f} of {}, {:.2f} of {}", ratio(d(h.lost[0]), d(h.runs)),

@@ -171,7 +171,10 @@ TEST(Search, ComparesOnFreshSeedsWhatItFound) {
 
 TEST(Search, ProvesAsTheReportOfACampaignDoes) {
   const std::string sets = "set: [until=120 s, blue.flights.eagle.start.east=-12 nmi]\n";
-  const auto search = parse_search(search_with("replicates: 3", sets + "replicates: 3"), "s.yaml");
+  std::string text = search_with("replicates: 3", sets + "replicates: 3");
+  const std::string_view ratio = "exchange: {what: exchange_ratio, who: blue}";
+  text.replace(text.find(ratio), ratio.size(), "left: {what: fuel_left, who: blue}");
+  const auto search = parse_search(text, "s.yaml");
   Search more = *search;
   more.proof = 40;
   const auto evidence = prove(more, {{"-5 nmi", "120 s"}}, duel, {.workers = 2});
@@ -189,7 +192,7 @@ seeds: {first: 13}
 replicates: 40
 measures:
   shot: {what: event, event: launch, who: blue, take: first, value: range}
-  exchange: {what: exchange_ratio, who: blue}
+  left: {what: fuel_left, who: blue}
 )",
                                "c.yaml");
   const test::TempFolder folder;

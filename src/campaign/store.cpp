@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
+#include <cstdlib>
 #include <filesystem>
 
 #include "core/hash.hpp"
@@ -75,11 +75,8 @@ std::string places(std::size_t n) {
   return fmt::format("({})", fmt::join(std::vector<std::string_view>(n, "?"), ", "));
 }
 
-std::uint64_t hash_of(std::string_view text) {
-  std::uint64_t hash = 0;
-  if (text.starts_with("0x"))
-    std::from_chars(text.data() + 2, text.data() + text.size(), hash, 16);
-  return hash;
+std::uint64_t hash_of(const std::string& text) {
+  return text.starts_with("0x") ? std::strtoull(text.c_str(), nullptr, 16) : 0;
 }
 
 /// Every result, by cell and replicate.

@@ -205,7 +205,8 @@ bool read_parts(const ValueType& type, void* out, const Value& value, const Para
     const auto fill = [&](void* part, std::size_t) {
       return read(*type.part, part, value, info, diagnostics);
     };
-    type.build(out, value.is_null() ? 0 : 1, fill);
+    // nothing at all is no null: a variable of a shell that is not set, a line that was forgotten
+    type.build(out, value.is_null() && !value.text.empty() ? 0 : 1, fill);
     return diagnostics.count() == before;
   }
   const bool fixed = type.fixed != 0;

@@ -115,6 +115,8 @@ std::string bind_one(std::string name, Member BreakTurn::*member, Value value) {
 TEST(Bind, ReadsEveryKindOfParameter) {
   BreakTurn out;
   Diagnostics found;
+  Value null = Value::null();
+  null.text = "null";
   const Value waypoint = map({entry("altitude", "5 km")});
   const Value document = map({
       entry("vote", "3"),
@@ -131,7 +133,7 @@ TEST(Bind, ReadsEveryKindOfParameter) {
       entry("times", list({text("1 min"), text("2 s")})),
       entry("flags", list({text("true"), text("false")})),
       entry("routes", list({list({waypoint, waypoint}), list({})})),
-      entry("delay", Value::null()),
+      entry("delay", null),
       entry("home", map({entry("altitude", "100 ft"), entry("speed", "360 km/h")})),
       entry("tanker", waypoint),
   });
@@ -156,6 +158,11 @@ TEST(Bind, ReadsEveryKindOfParameter) {
   EXPECT_EQ(out.home.speed, 100);
   ASSERT_TRUE(out.tanker);
   EXPECT_EQ(out.tanker->altitude, 5000);
+}
+
+TEST(Bind, TakesNullForNothingButNotNothing) {
+  EXPECT_EQ(bind_one("delay", &BreakTurn::delay, Value::null()),
+            "delay: expected a time such as '3 min', got nothing");
 }
 
 TEST(Bind, KeepsDefaultsOfWhatIsNotGiven) {

@@ -62,6 +62,11 @@ bool are_words_of(std::string_view some, std::string_view name) {
   return (at == 0 || name[at - 1] == '_') && (end == name.size() || name[end] == '_');
 }
 
+/// How many letters two texts begin with alike.
+std::ptrdiff_t alike(std::string_view a, std::string_view b) {
+  return std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
+}
+
 template <class Name>
 std::string nearest(std::string_view wrong, std::span<const Name> names) {
   if (wrong.empty() || wrong.size() > kLongestName)
@@ -75,12 +80,13 @@ std::string nearest(std::string_view wrong, std::span<const Name> names) {
       continue;  // only the same name is nearer than one that differs in letter case alone
     // as many edits as one is longer than the other it takes at least
     const std::size_t longer = std::max(wrong.size(), name.size());
-    const std::size_t most = std::min(tolerance(wrong, name), best_distance - 1);
+    const std::size_t most = std::min(tolerance(wrong, name), best_distance);
     if (longer - std::min(wrong.size(), name.size()) > most)
       continue;
     const std::size_t distance = edit_distance(wrong, name, most);
-    // one edit in a name of one letter leaves nothing of it
-    if (distance <= most && distance < name.size()) {
+    // one edit in a name of one letter leaves nothing of it; of two the one that begins alike
+    if (distance <= most && distance < name.size() &&
+        (distance < best_distance || alike(wrong, name) > alike(wrong, *best))) {
       best = name;
       best_distance = distance;
     }

@@ -157,12 +157,14 @@ TEST(DidYouMean, NamesTheOnlyOneOfTheseWords) {
   EXPECT_EQ(did_you_mean("hyper", names), "") << "no whole word";
 }
 
-TEST(DidYouMean, PrefersTheEarlierOfTwoEquallyNear) {
+TEST(DidYouMean, PrefersOfTwoEquallyNearTheOneThatBeginsAlikeThenTheEarlier) {
   EXPECT_EQ(did_you_mean("line", std::vector<std::string>{"lane", "line", "lone"}),
             "; did you mean 'line'?");
   EXPECT_EQ(did_you_mean("lane", std::vector<std::string>{"line", "lone"}),
             "; did you mean 'line'?");
   const std::vector<std::string> eagles{"eagle1", "eagle2"};
+  EXPECT_EQ(did_you_mean("rang", std::vector<std::string>{"rank", "range"}),
+            "; did you mean 'range'?");
   EXPECT_EQ(did_you_mean("Eagle1", eagles), "; did you mean 'eagle1'?");
   EXPECT_EQ(did_you_mean("Eagle1", std::vector<std::string>{"eagle1", "eagle2", "Eagle1"}),
             "; did you mean 'Eagle1'?");

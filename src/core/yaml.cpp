@@ -167,6 +167,7 @@ class Builder {
     Value& v = slot(where);
     v.where = where;
     if (is_null) {
+      v.text = text;
       if (!open_.empty() && open_.back().value->is_map())
         v.where = open_.back().key_where;  // what is not there stands, for the parser, further on
     } else {

@@ -64,6 +64,28 @@ TEST(Decision, NamesTheConditionsBelowATransitionThatHasNoWordsOfItsOwn) {
   EXPECT_EQ(why_not(d, 2), "far was left for near: close enough holds");
 }
 
+TEST(Decision, SaysWhatHadToHoldForWhoWasNotAsked) {
+  Decision d;
+  d.nodes = {answer("root", "winner_takes_all", 0, ubf::kNone),
+             answer("guard", "guard", 1, 0),
+             answer("selector", "selector", 2, 1),
+             answer("in_sight", "in_sight", 3, 2),
+             answer("near", "hostile_track", 3, 2),
+             answer("pursue", "pursue", 2, 1),
+             answer("egress", "egress", 1, 0)};
+  for (const std::size_t asked : {0u, 1u, 2u, 3u, 4u, 6u}) {
+    d.nodes[asked].asked = true;
+    d.nodes[asked].status = asked == 0 || asked == 6 ? Status::running : Status::failure;
+  }
+  d.nodes[3].why = "does not hold";
+  d.nodes[4].why = "nobody is known";
+  d.leader = 6;
+  EXPECT_EQ(why_not(d, 5),
+            "pursue was not asked: in_sight does not hold, near failed: nobody is known");
+  d.nodes[2].status = Status::running;
+  EXPECT_EQ(why_not(d, 5), "pursue was not asked");
+}
+
 TEST(Decision, ComparesTheVotesWhereTheBranchesMeet) {
   Decision d = in_two_phases(false);
   d.nodes[0].type = "winner_takes_all";
@@ -76,6 +98,8 @@ TEST(Decision, ComparesTheVotesWhereTheBranchesMeet) {
   d.nodes[4].status = Status::failure;
   d.nodes[4].vote = 0;
   EXPECT_EQ(why_not(d, 5), "shoot was kept back by " + d.nodes[4].label);
+  d.nodes[4].why = "refused: climb is out of bounds";
+  EXPECT_EQ(why_not(d, 5), "shoot was kept back by near: refused: climb is out of bounds");
 }
 
 TEST(Decision, TellsWhereAVoteWasLostThatDidNotComeUp) {

@@ -13,7 +13,9 @@ namespace {
 
 using model::EventKind, model::Side;
 
-constexpr double kFar = si(10, "nmi"), kMerged = si(5, "nmi"), kBanked = si(10, "deg");
+constexpr double kFar = si(10, "nmi"), kMerged = si(5, "nmi"), kBanked = si(10, "deg"),
+                 kNearMates = si(500, "ft");
+constexpr double kRecommitted = 60;  ///< s, that show what turning in again was worth
 
 class Meter final : public sim::Observer {
  public:
@@ -55,6 +57,7 @@ class Meter final : public sim::Observer {
     TrackId track;    ///< that he attacks
     PlayerId target;  ///< last living enemy that he attacked
     std::uint64_t samples = 0;
+    std::optional<double> recommitted;  ///< s, when he turned in again
   };
   struct Shot {
     PlayerId shooter, target;
@@ -91,6 +94,10 @@ class Meter final : public sim::Observer {
         pilot.pursuit.stop();
       if (second && merged(ids[i], k, ids, motions))
         health_.merged_mach.push_back(static_cast<float>(k.mach));
+      for (std::size_t mate = i + 1; mate < ids.size(); ++mate)
+        if (side(ids[i]) == side(ids[mate]) &&
+            norm(motions[mate].position - k.position) < kNearMates)
+          health_.near_mates = 1;
       if (target && target->id != pilot.track && enemies(ids[i], target->truth) &&
           motion(world, target->truth)) {
         pilot.track = target->id;
@@ -122,7 +129,7 @@ class Meter final : public sim::Observer {
         launched(world, e);
         break;
       case EventKind::kill: {
-        dead_.insert(e.whom);
+        died(e.whom);
         if (side(e.who) == side(e.whom))
           ++health_.fratricides;
         if (const auto shot = shots_.find(PlayerId{e.detail}); shot != shots_.end())
@@ -130,9 +137,11 @@ class Meter final : public sim::Observer {
         break;
       }
       case EventKind::crash:
+        health_.collisions += e.whom ? 1 : 0;
+        [[fallthrough]];
       case EventKind::fuel_out:
       case EventKind::loss:
-        dead_.insert(e.who);
+        died(e.who);
         break;
       case EventKind::defend:
         if (!e.whom)
@@ -147,6 +156,12 @@ class Meter final : public sim::Observer {
       default:
         break;
     }
+  }
+  void died(PlayerId who) {
+    if (!dead_.insert(who).second || !s_.roster.find(who))
+      return;  // known, or a missile
+    const Pilot& pilot = pilots_[who.value - 1];
+    health_.recommits_lost += pilot.recommitted && time_ - *pilot.recommitted < kRecommitted;
   }
   void launched(const sim::World& world, const sim::Event& e) {
     Shot& shot = shots_[e.who];
@@ -172,6 +187,10 @@ class Meter final : public sim::Observer {
     return {k.position, through_air(k, s_.library->environment.wind), k.altitude};
   }
   void entered(const sim::World& world, PlayerId who, std::string_view phase) {
+    if (phase == "recommit") {
+      ++health_.recommits;
+      pilots_[who.value - 1].recommitted = time_;
+    }
     if (phase == "egress")
       health_.left_fighting |= any_enemy(world, who);
     if (phase != "wvr")
@@ -270,6 +289,10 @@ void Health::add(const Health& o) {
   wvr_seen += o.wvr_seen;
   defenses += o.defenses;
   for_others += o.for_others;
+  near_mates += o.near_mates;
+  collisions += o.collisions;
+  recommits += o.recommits;
+  recommits_lost += o.recommits_lost;
   undecided += o.undecided;
   left_fighting += o.left_fighting;
   for (std::size_t i = 0; i < 2; ++i) {

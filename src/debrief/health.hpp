@@ -56,6 +56,9 @@ struct Health {
   std::uint64_t wvr_seen = 0;        ///< of them with a living enemy in the flight's sight
   std::uint64_t defenses = 0, for_others = 0;  ///< against missiles, and against those of mates
   std::vector<float> merged_mach;              ///< within 5 nmi of a living enemy, once a second
+  std::uint64_t near_mates = 0;                ///< runs in which two of one side came within 500 ft
+  std::uint64_t collisions = 0;                ///< pilots who hit somebody in the air
+  std::uint64_t recommits = 0, recommits_lost = 0;  ///< and of them who died within a minute
   // ends
   std::uint64_t undecided = 0;      ///< out of time with both sides alive
   std::uint64_t left_fighting = 0;  ///< somebody went home from living enemies: fuel or losses

@@ -17,6 +17,33 @@ std::vector<std::string> conditions(const Decision& now, ubf::NodeIndex node) {
   return all.empty() ? std::vector{answer.label} : all;
 }
 
+/// What failed below a node, or the node itself: "in_sight does not hold", "pursue failed: no
+/// target".
+std::vector<std::string> unmet(const Decision& now, ubf::NodeIndex node) {
+  const Answer& answer = now.nodes[node];
+  if (!answer.asked || answer.status != ubf::Status::failure)
+    return {};
+  std::vector<std::string> all;
+  if (answer.label == answer.type)
+    for (std::size_t n = node; n < now.nodes.size(); ++n)
+      if (now.nodes[n].parent == node)
+        std::ranges::move(unmet(now, static_cast<ubf::NodeIndex>(n)), std::back_inserter(all));
+  if (all.empty())
+    all.push_back(answer.label +
+                  (answer.why == "does not hold" ? " does not hold" : " " + words(answer)));
+  return all;
+}
+
+/// Because of what a node was not asked: what the sibling that was asked last has to say, if that
+/// failed; a node that goes on, or was chosen, says so itself.
+std::string because_of(const Decision& now, ubf::NodeIndex left, ubf::NodeIndex parent) {
+  std::vector<std::string> failed;
+  for (std::size_t n = parent + 1U; n < left; ++n)
+    if (now.nodes[n].parent == parent && now.nodes[n].asked)
+      failed = unmet(now, static_cast<ubf::NodeIndex>(n));
+  return failed.empty() ? "" : fmt::format(": {}", fmt::join(failed, ", "));
+}
+
 /// Where a sequencer went, and because of what: " for wvr: in_sight holds".
 std::string transition(const Decision& now, ubf::NodeIndex sequencer) {
   std::string to, because;
@@ -79,7 +106,8 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
     const ubf::NodeIndex parent = now.nodes[left].parent;
     if (parent != ubf::kNone && now.nodes[parent].type == "sequencer")
       return now.nodes[left].label + " was left" + transition(now, parent);
-    return fmt::format("{} was not asked", now.nodes[left].label);
+    return fmt::format("{} was not asked{}", now.nodes[left].label,
+                       parent == ubf::kNone ? "" : because_of(now, left, parent));
   }
   if (then.status == ubf::Status::failure)
     return fmt::format("{} {}", then.label, words(then));
@@ -88,9 +116,11 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
     ubf::NodeIndex keeper = then.parent;  // the first that did not hand it on
     while (keeper != ubf::kNone && !now.nodes[keeper].action.empty())
       keeper = now.nodes[keeper].parent;
-    return keeper == ubf::kNone || then.action.empty()
-               ? fmt::format("{} proposed nothing", then.label)
-               : fmt::format("{} was kept back by {}", then.label, now.nodes[keeper].label);
+    if (keeper == ubf::kNone || then.action.empty())
+      return fmt::format("{} proposed nothing", then.label);
+    const Answer& by = now.nodes[keeper];
+    return fmt::format("{} was kept back by {}{}", then.label, by.label,
+                       by.why.empty() ? "" : ": " + by.why);
   }
   const auto [mine, its] = parting(now.nodes, now.leader, before);
   const ubf::NodeIndex lost = team::lost_in(now.nodes, before, its);

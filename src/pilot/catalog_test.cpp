@@ -73,7 +73,7 @@ TEST(Catalog, HasNoDefaultThatItWouldRefuse) {
     // the whole node as a file would write its defaults
     std::string text = "{" + node.name + ": {";
     for (const ParamInfo& p : node.parameters)
-      text += p.name + ": " + (p.default_text == "null" ? "" : p.default_text) + ", ";
+      text += p.name + ": " + p.default_text + ", ";
     text += "}}";
     Diagnostics diagnostics;
     EXPECT_TRUE(

@@ -4,6 +4,8 @@
 namespace eyrie::pilot {
 namespace {
 
+constexpr double kFaint = 8;  ///< s, two looks of a radar
+
 bool same_place(const Seen& a, const Seen& b) {
   return norm2(a.ned - b.ned) <= kSamePlace * kSamePlace;
 }
@@ -31,7 +33,8 @@ class Taken {
         take(static_cast<std::uint32_t>(k), 1U << i);
     }
   }
-  /// The hostile that fewest of those who rank before `member` are after, the nearest of these.
+  /// The hostile that fewest of those who rank before `member` are after, the nearest of these. One
+  /// who was not seen for long counts as if one more were after him: he may be gone.
   template <typename Range>
   [[nodiscard]] std::int32_t choose(std::uint32_t member, const Range& range_of) const {
     std::int32_t best = -1;
@@ -40,7 +43,8 @@ class Taken {
     for (std::uint32_t k = 0; k < s_.seen_count; ++k) {
       if (!s_.seen[k].hostile())
         continue;
-      const int taken = by((1U << member) - 1, s_.seen[k]);
+      const bool faint = s_.time - s_.seen[k].track->time > kFaint;
+      const int taken = by((1U << member) - 1, s_.seen[k]) + (faint ? 1 : 0);
       const double range = range_of(s_.seen[k]);
       if (best < 0 || taken < best_taken || (taken == best_taken && range < best_range)) {
         best = static_cast<std::int32_t>(k);

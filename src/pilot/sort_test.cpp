@@ -51,6 +51,19 @@ TEST(Sort, LeavesTheTargetOfABetterRankedMateToHim) {
   EXPECT_EQ(target(s), TrackId{2});
 }
 
+TEST(Sort, TakesWhomItSeesBeforeWhoWasNotSeenForLong) {
+  Desk s;
+  see_at(s, 18e3, 1.7).time = s.time - 9;  // dead, perhaps
+  see_at(s, 20e3, 0.1);
+  EXPECT_EQ(target(s), TrackId{2});
+  s.tracks.tracks[0].time = s.time - 7;
+  EXPECT_EQ(target(s), TrackId{1});
+  s.in_flight(2, 2);
+  s.tracks.tracks[0].time = s.time - 9;
+  s.tracks.tracks[1].targeted_by = 0b01;
+  EXPECT_EQ(target(s), TrackId{1}) << "a mate has the other one";
+}
+
 TEST(Sort, KeepsAFreshTargetForAWhileWhateverTheMatesSay) {
   Desk s;
   s.in_flight(2, 2);

@@ -146,7 +146,10 @@ void Story::tell(const sim::Event& e) {
       break;
     case EventKind::gun_burst:
       say(e.who,
-          e.whom ? fmt::format("guns on {}, {}", name(e.whom), close_range(e.values[1])) : "guns");
+          fmt::format(
+              "guns{}: {} rounds, {} hits",
+              e.whom ? fmt::format(" on {}, {}", name(e.whom), close_range(e.values[1])) : "",
+              e.values[0], e.values[2]));
       break;
     case EventKind::defend:
       say(e.who, defense(e.values[0]));

@@ -109,10 +109,14 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
   std::error_code failed;
   const fs::path file = fs::weakly_canonical(path, failed);
   if (failed || !fs::exists(file, failed))
-    return {"there is no such file" + disk::nearest_file(path)};
+    return {"there is no such file" + (permission ? "" : disk::nearest_file(path))};
   for (const PluginFile& known : files_)
     if (known.path == file)
       return {};
+  // of what nobody has allowed not a byte is read
+  if (permission)
+    if (const std::string why = refusal(*permission, file); !why.empty())
+      return {not_opened(why, path)};
   const disk::FileRead read = read_plugin_file(file);
   if (!read.problem.empty())
     return {read.problem};

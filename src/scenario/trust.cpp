@@ -45,6 +45,10 @@ std::string line_problem(std::string_view line) {
 
 }  // namespace
 
+std::string refusal(const PluginPermission& permission, const std::string& path) {
+  return permission ? permission(path, "") : "it is not trusted";
+}
+
 std::string refusal(const PluginPermission& permission, const std::string& path,
                     std::string_view bytes) {
   return permission ? permission(path, sha256(bytes)) : "it is not trusted";
@@ -115,7 +119,9 @@ void TrustList::write(const std::string& file) const {
 std::string TrustList::why_not(const std::string& path, const std::string& sha256) const {
   for (const Entry& entry : entries_)
     if (entry.path == path)
-      return entry.sha256 == sha256 ? "" : "it has other bytes than when it was trusted";
+      return sha256.empty() || entry.sha256 == sha256
+                 ? ""
+                 : "it has other bytes than when it was trusted";
   return "it is not trusted";
 }
 

@@ -10,12 +10,15 @@
 namespace eyrie::scenario {
 
 /// Asked before a plug-in is opened that nobody has typed but that a scenario or a run file names:
-/// its canonical path and the SHA-256 of its bytes. Gives why it may not be opened, or "" if it
-/// may. The empty function allows nothing.
+/// its canonical path and the SHA-256 of its bytes, which is empty before the file is read at all.
+/// Gives why it may not be opened (or read), or "" if it may. The empty function allows nothing.
 using PluginPermission =
     std::function<std::string(const std::string& path, const std::string& sha256)>;
 
-/// Why a plug-in that a file names may not be opened; empty if it may.
+/// Why a plug-in that a file names may not be opened; empty if it may. `path` is canonical. The
+/// file is read only if its path is allowed.
+[[nodiscard]] std::string refusal(const PluginPermission& permission, const std::string& path);
+/// The same of one that was read.
 [[nodiscard]] std::string refusal(const PluginPermission& permission, const std::string& path,
                                   std::string_view bytes);
 /// "it was not opened: <why>; add '--plugin x.so', or trust it with 'eyrie trust x.so'"
@@ -42,7 +45,7 @@ class TrustList {
   void write(const std::string& file) const;
 
   [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
-  /// As PluginPermission.
+  /// As PluginPermission: without a hash whether the path stands in the list.
   [[nodiscard]] std::string why_not(const std::string& path, const std::string& sha256) const;
   /// Trusts a plug-in with these bytes, and no longer with others.
   void add(Entry entry);

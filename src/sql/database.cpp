@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -116,8 +117,13 @@ std::int64_t Statement::integer(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
 }
 double Statement::number(int column) const {
-  return is_null(column) ? std::numeric_limits<double>::quiet_NaN()
-                         : sqlite3_column_double(statement_.get(), column);
+  if (is_null(column))
+    return std::numeric_limits<double>::quiet_NaN();
+  const double x = sqlite3_column_double(statement_.get(), column);
+  if (std::isinf(x))  // nobody here writes one
+    throw disk::Refused("the column {} holds an infinity: the file is damaged",
+                        quote(column_name(column)));
+  return x;
 }
 std::string Statement::text(int column) const {
   const auto* text = sqlite3_column_text(statement_.get(), column);
@@ -151,9 +157,14 @@ Database::Database(const std::string& path, Access access) {
                                               : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   // a relative path may begin with "file:", which is no URI here
   const bool relative = path != ":memory:" && !path.starts_with('/');
-  if (struct stat found{}; disk::files().status(AT_FDCWD, path.c_str(), found, 0) == 0 &&
-                           !S_ISREG(found.st_mode))  // of a pipe SQLite would wait for a writer
-    throw disk::Refused("{} is {}, not a file", quote_path(path), disk::kind_text(found.st_mode));
+  // of a pipe SQLite would wait for a writer; what is written to is what has that name
+  const int follow = access == Access::read ? 0 : AT_SYMLINK_NOFOLLOW;
+  for (const char* part : {"", "-journal", "-wal", "-shm"})
+    if (struct stat found{};
+        disk::files().status(AT_FDCWD, (path + part).c_str(), found, follow) == 0 &&
+        !S_ISREG(found.st_mode))
+      throw disk::Refused("{} is {}, not a file", quote_path(path + part),
+                          disk::kind_text(found.st_mode));
   const auto open = [&](const char* system) {
     sqlite3* opened = nullptr;
     const int result =

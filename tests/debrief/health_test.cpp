@@ -78,6 +78,10 @@ TEST(Health, OfVeteransHolds) {
   EXPECT_LE(all.target_changes, 2 * all.engagements);
   EXPECT_LE(all.for_others, all.defenses / 12);
   EXPECT_GE(all.wvr_seen * 10, all.wvr * 8);
+  EXPECT_LE(all.near_mates, 4U) << "mates fly into each other";
+  EXPECT_EQ(all.collisions, 0U);
+  EXPECT_GT(all.recommits, 20U);
+  EXPECT_LE(all.recommits_lost, all.recommits / 6);
 }
 
 TEST(Health, SeesThatTrueTracksAreFlownMoreSteadily) {

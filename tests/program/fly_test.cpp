@@ -166,16 +166,16 @@ TEST(FlySet, ReachesFlightsPlayersAndLists) {
 
 TEST(FlyOut, NumbersItsOwnFoldersAndNeverWritesOverOne) {
   const TempFolder folder;
-  for (const char* wanted : {"runs/merge-8", "runs/merge-8.2", "runs/merge-8.3"}) {
+  for (const char* wanted : {"runs/merge-4", "runs/merge-4.2", "runs/merge-4.3"}) {
     const Ran ran = run_program(folder, merge({"--json"}));
     ASSERT_EQ(ran.code, 0) << ran.err;
     EXPECT_EQ(json::parse(ran.out)["run_dir"], wanted);
   }
-  EXPECT_EQ(read_text(folder / "runs/merge-8/events.csv"),
-            read_text(folder / "runs/merge-8.3/events.csv"));
-  EXPECT_EQ(read_text(folder / "runs/merge-8/run.eyrie"),
-            read_text(folder / "runs/merge-8.3/run.eyrie"));
-  EXPECT_EQ(std::filesystem::read_symlink(folder / "runs/latest"), "merge-8.3");
+  EXPECT_EQ(read_text(folder / "runs/merge-4/events.csv"),
+            read_text(folder / "runs/merge-4.3/events.csv"));
+  EXPECT_EQ(read_text(folder / "runs/merge-4/run.eyrie"),
+            read_text(folder / "runs/merge-4.3/run.eyrie"));
+  EXPECT_EQ(std::filesystem::read_symlink(folder / "runs/latest"), "merge-4.3");
   EXPECT_EQ(run_program(folder, {"replay", "runs/latest"}).code, 0);
 }
 
@@ -194,7 +194,7 @@ TEST(FlyOut, ReplacesNothingButALinkByTheLatest) {
   folder.write("runs/latest/mine", "kept");
   const Ran ran = run_program(folder, merge({"--json"}));
   EXPECT_EQ(ran.code, 1);
-  EXPECT_EQ(ran.err, "eyrie: 'runs/latest' is a folder, and not made a link to 'merge-8'\n");
+  EXPECT_EQ(ran.err, "eyrie: 'runs/latest' is a folder, and not made a link to 'merge-4'\n");
   EXPECT_EQ(read_text(folder / "runs/latest/mine"), "kept");
 }
 

@@ -90,7 +90,7 @@ TEST(Completion, KnowsCommandsOptionsScenariosRunsAndPlayers) {
   EXPECT_EQ(offered(folder, {"ex"}), "explain\nexport\n");
   EXPECT_EQ(offered(folder, {"fly", "dr"}), "drill\n");
   EXPECT_EQ(offered(folder, {"fly", "--see"}), "--seed\n--seeds\n");
-  EXPECT_EQ(offered(folder, {"explain", "runs/"}), "runs/latest\nruns/merge-8\n");
+  EXPECT_EQ(offered(folder, {"explain", "runs/"}), "runs/latest\nruns/merge-4\n");
   EXPECT_EQ(offered(folder, {"explain", "runs/latest", "--player", "v"}), "viper1\n");
   EXPECT_EQ(offered(folder, {"export", "runs/latest", "--to", "cz"}), "czml\n");
   EXPECT_EQ(offered(folder, {"catalog", "purs"}), "pursue\n");

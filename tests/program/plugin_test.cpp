@@ -83,7 +83,7 @@ TEST_F(PluggedProgram, FliesTheBehaviorOfTheReadmeInTheSweepAndSeesItWin) {
                                        "1 min", "--quiet", "--no-debrief"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const Ran why =
-      run_program(folder, {"explain", "runs/greet-15", "--player", "eagle1", "--plugin", library});
+      run_program(folder, {"explain", "runs/greet-19", "--player", "eagle1", "--plugin", library});
   EXPECT_TRUE(
       std::regex_search(why.out, std::regex("navigate +-> greet +navigate voted 10 against 50")))
       << why.out << why.err;

@@ -86,6 +86,19 @@ test('who was kept back by what failed above it did not lose by votes', () => {
       all[0] = { ...all[3]! };
     });
   assert.equal(why_not(run.trees[0]!, run.shapes[0]!, find(run, 'pursue')), 'pursue was kept back by quiet');
+  run.shapes[0]!.why[find(run, 'quiet')] = 'refused: too fast';
+  assert.equal(why_not(run.trees[0]!, run.shapes[0]!, find(run, 'pursue')), 'pursue was kept back by quiet: refused: too fast');
+});
+
+test('of who was not asked it is told what had to hold', () => {
+  const run = run_of(node('root', 'winner_takes_all', [node('guard', 'guard', [node('selector', 'selector', [leaf('in_sight'), leaf('near')]), leaf('pursue')]), leaf('navigate')]),
+    [{ in_sight: { status: 'failure' }, near: { status: 'failure' }, navigate: { vote: 3, heading: 2 } }]);
+  const [shape] = run.shapes;
+  for (const name of ['guard', 'selector', 'in_sight', 'near']) shape!.status[find(run, name)] = 'failure';
+  shape!.status[find(run, 'pursue')] = null;
+  shape!.why[find(run, 'in_sight')] = 'does not hold';
+  shape!.why[find(run, 'near')] = 'nobody is known';
+  assert.equal(why_not(run.trees[0]!, shape!, find(run, 'pursue')), 'pursue was not asked: in_sight does not hold, near failed: nobody is known');
 });
 
 test('of who did not come up it is told where he lost', () => {

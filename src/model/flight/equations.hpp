@@ -102,15 +102,18 @@ class Equations {
     if (math::any(aims))
       lift = lift_towards(k, pitch, wanted, most);
     if (math::any(!aims)) {  // upwards first
-      const Real climb = wanted_climb(k, c, wanted, most, speed_wanted, slowest, fastest, power);
-      const Real climb_rate =
-          (climb - pitch.sin) / (each(&Autopilot::climb_time) * math::max(pitch.cos, 0.1));
-      const Real upwards = math::clamp(pitch.cos + speed * climb_rate / kGravity, push_limit, most);
       const Real turn_rate =
           angle_between(k.heading, wanted.heading) / each(&Autopilot::heading_time) +
           wanted.turn_rate;
+      const Real turn = speed * pitch.cos * turn_rate / kGravity;
+      const Real turning = c.drag(math::min(math::sqrt(1 + turn * turn), math::max(most, 1)));
+      const Real climb =
+          wanted_climb(k, c, wanted, most, speed_wanted, slowest, fastest, power, turning);
+      const Real climb_rate =
+          (climb - pitch.sin) / (each(&Autopilot::climb_time) * math::max(pitch.cos, 0.1));
+      const Real upwards = math::clamp(pitch.cos + speed * climb_rate / kGravity, push_limit, most);
       const Real room = math::sqrt(math::max(most * most - upwards * upwards, 0));
-      const Real sideways = math::clamp(speed * pitch.cos * turn_rate / kGravity, -room, room);
+      const Real sideways = math::clamp(turn, -room, room);
       lift = {math::select(aims, lift.upwards, upwards),
               math::select(aims, lift.sideways, sideways),
               math::select(aims, lift.above, math::max(upwards, kLevelLift))};
@@ -300,11 +303,12 @@ class Equations {
             .afterburner = blend(&PointMass::Power::afterburner)};
   }
 
-  /// Sine of the climb angle that leads to the altitude, as far as energy allows.
+  /// Sine of the climb angle that leads to the altitude, as far as energy allows: upwards what the
+  /// turn with its drag leaves.
   template <class K>
   Real wanted_climb(const K& k, const FlightConditionOf<Real>& c, const WantedOf<Real>& wanted,
                     const Real& most_lift, const Real& speed_wanted, const Real& slowest,
-                    const Real& fastest, const Real& thrust) const {
+                    const Real& fastest, const Real& thrust, const Real& turning) const {
     const Real speed_time = each(&Autopilot::speed_time);
     const Real speed = math::max(k.speed, 1);
     const Real error = wanted.altitude - k.altitude;
@@ -313,8 +317,8 @@ class Equations {
     const Real asked = math::max(error / each(&Autopilot::altitude_time),
                                  -math::sqrt(stopping * math::max(-error, 0))) /
                        speed;
-    const Real drag = c.drag(1);
-    const Real excess = (thrust - drag) / c.mass;
+    const Real level = c.drag(1);
+    const Real excess = (thrust - turning) / c.mass;
     const Real too_slow = (speed_wanted - k.speed) / speed_time;
 
     // upwards: excess thrust and excess speed, less the share that goes into speed
@@ -323,14 +327,15 @@ class Equations {
     Real highest = math::max((excess - for_speed) / kGravity, 0);
     highest = math::min(highest, of_each([](const PointMass& m) { return m.steepest_climb_; }));
     // near the slowest speed the nose goes down, whatever was asked
-    highest = math::min(highest, (excess + (k.speed - slowest) / speed_time) / kGravity);
+    const Real spare = (thrust - level) / c.mass + (k.speed - slowest) / speed_time;
+    highest = math::min(highest, spare / kGravity);
 
     // downwards: as steep as the overspeed permits
     const Real most = math::min(speed_wanted + each(&Autopilot::dive_overspeed), fastest);
     const Real too_fast = (k.speed - most) / speed_time;
     const Real steepest = of_each([](const PointMass& m) { return m.steepest_dive_; });
     const Real lowest =
-        math::max(math::min((c.thrust.idle - drag) / c.mass + too_fast, 0) / kGravity, -steepest);
+        math::max(math::min((c.thrust.idle - level) / c.mass + too_fast, 0) / kGravity, -steepest);
     return math::min(math::max(asked, lowest), highest);
   }
 

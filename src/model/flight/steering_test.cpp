@@ -83,6 +83,27 @@ TEST(Steering, ClimbsOnExcessThrustAtTheSpeedAskedFor) {
   EXPECT_NEAR(f.kinematics.speed, 230, 1);
 }
 
+TEST(Steering, ClimbsInATurnOnlyWithWhatTheTurnLeaves) {
+  const auto slowest_of = [](double altitude) {
+    TestFlight f(simple_airframe());
+    f.start(6000, 0, 250);
+    f.command.altitude = altitude;
+    f.command.heading = radians(170);
+    f.command.load_factor = 6;
+    double slowest = 1e9;
+    for (int i = 0; i < 50 * 60; ++i) {
+      f.step();
+      slowest = std::min(slowest, f.kinematics.speed);
+    }
+    EXPECT_GT(degrees(f.kinematics.heading), 169);
+    EXPECT_GE(f.kinematics.altitude, std::min(altitude, 7500.0) - 20) << "then it climbs";
+    return slowest;
+  };
+  const double level = slowest_of(6000);
+  EXPECT_LT(level, 235) << "the turn alone costs speed";
+  EXPECT_GT(slowest_of(9000), level - 8);
+}
+
 TEST(Steering, LightsTheAfterburnerToAccelerateAndPutsItOut) {
   TestFlight f(simple_airframe());
   f.command.speed = 330;

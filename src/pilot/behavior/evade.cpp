@@ -14,7 +14,9 @@ Status Evade<kDefault>::tick(const Tick& t, Proposal& out) const {
   EvadeMemory& m = memory(t);
   if (const auto from = danger(s, against_, within_)) {
     m.until = s.time + recovery_;
-    m.bearing = from->bearing;
+    // who runs from a radar and turned after each look of the receiver would weave
+    const double slack = m.side == 0 || from->call == Call::none ? 0 : kDefault.slack;
+    m.bearing = from->bearing - std::clamp(angle_between(m.bearing, from->bearing), -slack, slack);
     m.call = from->call == Call::none ? kDefault.call : from->call;
   } else if (m.side == 0 || ubf::passed(s.time, m.until, 0)) {
     m = {};

@@ -27,6 +27,7 @@ struct Evasion {
   double load_factor = 6;   ///< g
   double least_mach = 0.7;  ///< 0: turns as hard as it can
   double recovery = 2;      ///< s
+  double slack = 0;         ///< rad, that the bearing of a radar may be off before somebody turns
   model::Dispense dispense = model::Dispense::none;
   bool across = false;  ///< turns through the danger's bearing instead of away from it
 };
@@ -89,7 +90,8 @@ inline constexpr Evasion kDrag{.name = "drag",
                                .within = 20,
                                .angle = kPi,
                                .load_factor = 5,
-                               .recovery = 4};
+                               .recovery = 4,
+                               .slack = si(15, "deg")};  // a receiver's bearing is good to 10
 /// The hardest turn through the missile's bearing, when it is almost here: it has to turn with
 /// several times the load factor and has no time (Shaw, Fighter Combat, ch. 1, missile defense).
 inline constexpr Evasion kLastDitch{.name = "last_ditch",

@@ -107,6 +107,25 @@ TEST(Drag, PutsTheFighterToWhomItIsMostExposedOnTheTail) {
   EXPECT_EQ(d.action().call, Call::out);
 }
 
+TEST(Drag, WeavesNotAfterTheNoiseOfAReceiver) {
+  Pilot dragging("{drag: {against: radar}}"), beaming("{notch: {against: radar}}");
+  Desk desk;
+  desk.rwr.count = 1;
+  const auto hear = [&](Pilot& pilot, double bearing) {
+    desk.rwr.warnings[0] = {.bearing = bearing * kDegree, .kind = model::EmissionKind::track};
+    return wrap_tau(*pilot.decide(desk).action().heading) / kDegree;
+  };
+  EXPECT_NEAR(hear(dragging, 90), 270, 1e-9);
+  for (const double noisy : {104, 76, 95, 105, 75})
+    EXPECT_NEAR(hear(dragging, noisy), 270, 1e-9) << noisy;
+  EXPECT_NEAR(hear(dragging, 120), 285, 1e-9) << "he has moved, or it was worse than 15 degrees";
+  EXPECT_NEAR(hear(dragging, 91), 285, 1e-9);
+  EXPECT_NEAR(hear(beaming, 90), 0, 1e-9);
+  EXPECT_NEAR(hear(beaming, 94), 4, 1e-9) << "a notch is narrow";
+  desk.threat(94 * kDegree).arrival = desk.time + 3;
+  EXPECT_NEAR(hear(dragging, 91), 274, 1e-9) << "of a missile each degree counts";
+}
+
 TEST(LastDitch, BreaksThroughTheBearingOfTheMissile) {
   const Decided d = decide("last_ditch", threatened(20 * kDegree, 3));
   EXPECT_NEAR(*d.action().heading, 110 * kDegree, 1e-9);

@@ -130,6 +130,10 @@ Status Reacquire::tick(const Tick& t, Proposal& out) const {
   }
   if (m.time == 0 || ubf::passed(s.time, m.time, memory_)) {
     m = {};
+    if (const model::RwrWarning* tracks = radar_ ? spike(s) : nullptr) {
+      const auto [sine, cosine] = math::sin_cos(tracks->bearing);
+      return fly(s, nullptr, {cosine, sine, 0}, out);
+    }
     return fails(t, "no target was lost lately");
   }
   const double on = std::min(s.time - m.time, extrapolated_);
@@ -170,30 +174,30 @@ Status Extend::tick(const Tick& t, Proposal& out) const {
 Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   CollisionMemory& m = memory(t);
-  double soonest = warning_, nearest2 = miss_ * miss_;
+  // who is beside is left behind by somewhat more, or he would soon be as near again
+  const double clear = 1.2 * miss_, least = m.time == 0 ? miss_ : clear;
+  double soonest = warning_, nearest2 = least * least;
   std::optional<Vec3> pass;    // from here to the other at the closest approach
-  std::optional<Vec3> beside;  // to who is too near and does not come nearer
+  std::optional<Vec3> beside;  // to who is too near and does not come here soon
+  Vec3 comes{};                // to who will pass, now
   const auto look = [&](const Vec3& ned, const Vec3& velocity_ned) {
     const Vec3 relative = velocity_ned - s.velocity_ned;
     const double approach = -dot(ned, relative);
-    if (approach <= 0) {
-      if (norm2(ned) < nearest2) {
-        nearest2 = norm2(ned);
-        beside = ned;
-      }
-      return;
+    const double time = approach > 0 ? approach / norm2(relative) : warning_;
+    if (const Vec3 there = ned + time * relative; time < soonest && norm2(there) < miss_ * miss_) {
+      soonest = time;
+      pass = there;
+      comes = ned;
     }
-    const double time = approach / norm2(relative);
-    const Vec3 there = ned + time * relative;
-    if (time >= soonest || norm2(there) >= miss_ * miss_)
-      return;
-    soonest = time;
-    pass = there;
+    if (norm2(ned) < nearest2) {
+      nearest2 = norm2(ned);
+      beside = ned;
+    }
   };
   // most are too far away to come near in time, however they fly
   const double own_speed = norm(s.own.velocity);
   const auto in_reach = [&](double range2, const Vec3& velocity) {
-    const double reach = (miss_ + soonest * (own_speed + norm(velocity))) * (1 + 1e-9);
+    const double reach = (least + soonest * (own_speed + norm(velocity))) * (1 + 1e-9);
     return range2 <= reach * reach;
   };
   for (const Seen& seen : s.tracks_seen())
@@ -206,15 +210,19 @@ Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
       look(to_ned(s.own, apart), to_ned(s.own, velocity_of(mate)));
     return false;
   });
-  if (!pass)
-    pass = beside;
-  if (pass) {
-    // away from where he will be, as seen along the own path; to the right if that says nothing
+  if (pass || beside) {
+    // away from where he will be, as seen along the own path; from where he is, if he is abreast or
+    // behind or comes no nearer. To the right if that says nothing; to the left if he is behind.
+    constexpr double kAbreast = kPi / 3;
     const Vec3 nose = nose_of(s.own);
-    const Vec3 aside = *pass - dot(*pass, nose) * nose;
-    const auto [sine, cosine] = math::sin_cos(s.own.heading + kPi / 2);
-    m = {s.time,
-         nose + (norm(aside) > 0.1 * miss_ ? -normalized(aside, {}) : Vec3{cosine, sine, 0})};
+    const Vec3 he = pass ? comes : *beside;
+    const Vec3 from = pass && s.off_nose(he) < kAbreast ? *pass : he;
+    const Vec3 aside = from - dot(from, nose) * nose;
+    const double side = s.off_nose(he) > kPi / 2 ? -kPi / 2 : kPi / 2;
+    const auto [sine, cosine] = math::sin_cos(s.own.heading + side);
+    const Vec3 away = norm(aside) > 0.1 * miss_ ? -normalized(aside, {}) : Vec3{cosine, sine, 0};
+    // of who comes no nearer the more, the nearer he is
+    m = {s.time, nose + (pass ? 1 : 1 - norm(he) / clear) * away};
   } else if (m.time == 0 || ubf::passed(s.time, m.time, recovery_)) {
     m = {};
     return fails(t, "nobody comes too near");

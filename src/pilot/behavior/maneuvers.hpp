@@ -181,7 +181,8 @@ struct LostMemory {
 };
 
 /// The target is lost: turns to where it must be by now, if it has not turned for long. Silent
-/// while there is a target, and `memory` seconds after there was one.
+/// while there is a target, and `memory` seconds after there was one; with `radar` it turns then to
+/// one that tracks this aircraft.
 class Reacquire final : public ubf::WithMemory<Maneuver, LostMemory> {
  public:
   static constexpr std::string_view type_name = "reacquire";
@@ -194,7 +195,9 @@ class Reacquire final : public ubf::WithMemory<Maneuver, LostMemory> {
                         param("extrapolated", &R::extrapolated_, "s", range(0, 600),
                               "believes for so long that the target kept its course"),
                         param("within", &R::within_, "m", range(0, 500e3),
-                              "a target that was lost farther away is let go")});
+                              "a target that was lost farther away is let go"),
+                        param("radar", &R::radar_,
+                              "looks for who tracks this aircraft if nobody was lost lately")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -202,6 +205,7 @@ class Reacquire final : public ubf::WithMemory<Maneuver, LostMemory> {
   double memory_ = 30;
   double extrapolated_ = 4;
   double within_ = si(10, "nmi");
+  bool radar_ = false;
 };
 
 struct JinkMemory {
@@ -254,8 +258,9 @@ struct CollisionMemory {
 
 /// Keeps clear of everybody, friend or foe: when the paths will pass nearer than `miss` within
 /// `warning` seconds, turns away from where the other will be; both to the right if he comes
-/// straight on. Goes on for `recovery`, or it would turn away and back with every look. Fails
-/// otherwise.
+/// straight on. From who is abreast or behind it turns away from where he is, and gently if he is
+/// nearer than `miss` and comes no nearer. Goes on for `recovery`, or it would turn away and back
+/// with every look. Fails otherwise.
 class AvoidCollision final : public ubf::WithMemory<Behavior, CollisionMemory> {
  public:
   static constexpr std::string_view type_name = "avoid_collision";

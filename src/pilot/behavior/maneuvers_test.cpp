@@ -184,6 +184,19 @@ TEST(Reacquire, TurnsToWhereALostTargetMustBe) {
   EXPECT_EQ(pilot.decide(desk).status, kFailure) << "long ago";
 }
 
+TEST(Reacquire, LooksForWhoTracksIfToldTo) {
+  Desk desk;
+  desk.rwr.count = 1;
+  desk.rwr.warnings[0] = {.bearing = 2.5, .kind = model::EmissionKind::track};
+  EXPECT_EQ(decide("reacquire", desk).status, kFailure);
+  EXPECT_NEAR(heading_of(decide("{reacquire: {radar: true}}", desk)), 2.5, 1e-9);
+  desk.rwr.warnings[0].kind = model::EmissionKind::search;
+  EXPECT_EQ(decide("{reacquire: {radar: true}}", desk).status, kFailure) << "he looks at everybody";
+  desk.rwr.warnings[0].kind = model::EmissionKind::track;
+  desk.track({0, 3000, 0}, 0, 200);
+  EXPECT_EQ(decide("{reacquire: {radar: true}}", desk).status, kFailure) << "the target is known";
+}
+
 TEST(Reacquire, CountsFromWhenTheTargetWasSensedLast) {
   Desk desk;
   desk.track({0, 3000, 0}, 0, 200);
@@ -284,6 +297,43 @@ TEST(AvoidCollision, SeesWhoComesBehindAMateWhoIsNear) {
   EXPECT_GT(heading_of(decide(tree, desk)), 0) << "away from who comes";
   desk.tracks.tracks[1].position = desk.own.position + Vec3{-2000, -60, 0};  // and is past
   EXPECT_LT(heading_of(decide(tree, desk)), 0);
+}
+
+TEST(AvoidCollision, TurnsAwayFromWhereAMateAbreastIs) {
+  const std::string tree = "{avoid_collision: {miss: 300 m, warning: 6 s}}";
+  Desk desk;
+  model::Track& mate = desk.track({0, 250, 0}, 0, 250, model::Identity::friendly);
+  for (const double closing : {-5, 5, 30, 60, 120}) {  // in 50 s to 2 s, and a mate who leaves
+    for (const double ahead : {-60.0, 0.0, 60.0}) {    // and passes behind, or before
+      mate.velocity = {250 + ahead, -closing, 0};
+      EXPECT_LT(heading_of(decide(tree, desk)), 0) << closing << " m/s, " << ahead;
+      mate.position = desk.own.position + Vec3{0, -250, 0};
+      mate.velocity.y = closing;
+      EXPECT_GT(heading_of(decide(tree, desk)), 0) << closing << " m/s, " << ahead;
+      mate.position = desk.own.position + Vec3{0, 250, 0};
+    }
+  }
+}
+
+TEST(AvoidCollision, TurnsGentlyFromWhoComesNoNearerUntilHeIsSomewhatFartherAway) {
+  Pilot pilot("{avoid_collision: {miss: 300 m, warning: 6 s, recovery: 0 s}}");
+  Desk desk;
+  model::Track& mate = desk.track({0, 310, 0}, 0, 250, model::Identity::friendly);
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  for (const double range : {290, 100, 350}) {
+    mate.position = desk.own.position + Vec3{0, range, 0};
+    EXPECT_NEAR(heading_of(pilot.decide(desk)), -std::atan(1 - range / 360), 1e-9) << range;
+  }
+  mate.position = desk.own.position + Vec3{0, 370, 0};
+  desk.time += 0.1;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+}
+
+TEST(AvoidCollision, TurnsTheOtherWayThanWhoComesFromBehind) {
+  Desk desk;
+  desk.track({-200, 0, 0}, 0, 350, model::Identity::friendly);
+  EXPECT_LT(heading_of(decide("{avoid_collision: {miss: 300 m}}", desk)), 0)
+      << "he sees me ahead and turns right";
 }
 
 }  // namespace

@@ -47,9 +47,12 @@ function condition_words(tree: Tree, node: number): string {
   const join = { sequence: ' and ', selector: ' or ' }[type];
   if (join) return children.map((child) => condition_words(tree, child)).join(join);
   if (type === 'inverter') return `not ${condition_words(tree, children[0]!)}`;
-  const numbers = Object.entries(params).flatMap(([name, value]) =>
-    parseFloat(value) ? [`${name.replaceAll('_', ' ')} ${reworded(value)}`] : []);
-  return [reworded(label), ...numbers].join(' ');
+  const given = Object.entries(params).map(([name, value]) => {
+    const words = name.replaceAll('_', ' ');
+    return value === 'true' ? words : value === 'false' ? `no ${words}` : `${words} ${reworded(value)}`;
+  });
+  const below = children.map((child) => condition_words(tree, child));
+  return [reworded(label), ...given, ...(below.length ? [`of ${below.join(', ')}`] : [])].join(' ');
 }
 
 const kFont = 12;

@@ -130,6 +130,21 @@ function conditions(tree: Tree, shape: Shape, node: number): string[] {
   return all.length ? all : [label];
 }
 
+/** What failed below a node, or the node itself: "in_sight does not hold", "pursue failed: no target". */
+function unmet(tree: Tree, shape: Shape, node: number): string[] {
+  if (shape.status[node] !== 'failure') return [];
+  const { label, type, children } = tree.nodes[node]!;
+  const all = label === type ? children.flatMap((child) => unmet(tree, shape, child)) : [];
+  return all.length ? all : [`${label} ${shape.why[node] === 'does not hold' ? 'does not hold' : answer_words(shape, node)}`];
+}
+
+/** Because of what a node was not asked: what the sibling that was asked last has to say, if that failed. */
+function because_of(tree: Tree, shape: Shape, left: number, parent: number): string {
+  const before = tree.nodes[parent]?.children.filter((child) => child < left && (shape.status[child] ?? null) !== null).at(-1);
+  const failed = before === undefined ? [] : unmet(tree, shape, before);
+  return failed.length ? `: ${failed.join(', ')}` : '';
+}
+
 /** Where a sequencer went, and because of what: " for wvr: in_sight holds". */
 function transition(tree: Tree, shape: Shape, sequencer: number): string {
   let to = '';
@@ -153,14 +168,17 @@ export function why_not(tree: Tree, shape: Shape, before: number): string {
     const { label, parent } = tree.nodes[left]!;
     return parent >= 0 && tree.nodes[parent]!.type === 'sequencer'
       ? `${label} was left${transition(tree, shape, parent)}`
-      : `${label} was not asked`;
+      : `${label} was not asked${because_of(tree, shape, left, parent)}`;
   }
   if (shape.status[before] === 'failure') return `${then.label} ${answer_words(shape, before)}`;
   if (shape.leader < 0 || shape.status[parting(tree, shape.leader, before)[1]] === 'failure') {
     let last = before; // to which it came up
     while (shape.supplier[tree.nodes[last]!.parent]) last = tree.nodes[last]!.parent;
-    const keeper = tree.nodes[tree.nodes[last]!.parent];
-    return keeper && shape.supplier[last] ? `${then.label} was kept back by ${keeper.label}` : `${then.label} proposed nothing`;
+    const by = tree.nodes[last]!.parent;
+    const keeper = tree.nodes[by];
+    return keeper && shape.supplier[last]
+      ? `${then.label} was kept back by ${keeper.label}${shape.why[by] ? `: ${shape.why[by]}` : ''}`
+      : `${then.label} proposed nothing`;
   }
   const [mine, its] = parting(tree, shape.leader, before);
   const [voted, against] = [shape.counted[its]!, shape.counted[mine]!];
