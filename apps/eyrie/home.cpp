@@ -115,7 +115,7 @@ std::string text_of(const Object& json) {
   return json.dump(-1, ' ', false, Object::error_handler_t::replace);
 }
 
-/// "/debrief?run=sweep-1&run=merge-8": the page of one run or two of runs/.
+/// "/debrief?run=sweep-1&run=merge-4": the page of one run or two of runs/.
 std::optional<net::WebPage> debrief_at(std::string_view target) {
   constexpr std::string_view kBegin = "/debrief?";
   if (!target.starts_with(kBegin))

@@ -86,7 +86,7 @@ TEST(Extends, IsRefusedAtTheLineThatIsWrong) {
   EXPECT_EQ(said("extends: sweep\ninsert: {trees.wall.winner_takes_all: {gret: {vote: 3}}}\n"),
             "mine/x.yaml:2:40: there is no node 'gret'\n");
   EXPECT_EQ(said("extends: sweep\nremove: [trees.veteran.sequencer.trees.wvr]\n").substr(0, 84),
-            "mine/x.yaml:2:10: 'wvr' cannot be removed: eyrie:scenarios/packages/veteran.yaml:83:");
+            "mine/x.yaml:2:10: 'wvr' cannot be removed: eyrie:scenarios/packages/veteran.yaml:95:");
   EXPECT_EQ(
       said("extends: sweep\nremove: [red.flights.bogey.players.bogey1]\n"),
       "mine/x.yaml:2:10: 'bogey1' cannot be removed: eyrie:scenarios/sweep.yaml:35:16: flight "

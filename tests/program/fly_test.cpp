@@ -144,7 +144,7 @@ TEST(FlyJson, SaysTheSameForTheSameSeedAndOtherForAnother) {
   };
   const std::string first = hash({"--json"});
   EXPECT_EQ(hash({"--json", "--workers", "3"}), first);
-  EXPECT_EQ(hash({"--json", "--seed", "8"}), first);
+  EXPECT_EQ(hash({"--json", "--seed", "4"}), first);
   EXPECT_EQ(hash({"--json", "--paranoid"}), first);
   EXPECT_EQ(hash({"--json", "--paranoid", "3", "--workers", "2"}), first);
   EXPECT_NE(hash({"--json", "--seed", "2"}), first);

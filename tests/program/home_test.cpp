@@ -62,20 +62,20 @@ TEST(Home, ListsScenariosFliesOneAndThenItsRun) {
 
   const Json runs = Json::parse(body(home.ask("/api/runs")));
   ASSERT_EQ(runs.size(), 1u);
-  EXPECT_EQ(runs[0]["name"], "merge-4");
+  EXPECT_EQ(runs[0]["name"], "merge-8");
   EXPECT_EQ(runs[0]["seed"], "8");
   EXPECT_EQ(runs[0]["sets"], Json({"until=20 s"}));
-  EXPECT_NE(home.ask("/debrief?run=merge-4").find("application/x-eyrie-run"), std::string::npos);
-  EXPECT_NE(home.ask("/debrief?run=merge-4&run=merge-4").find("application/x-eyrie-run"),
+  EXPECT_NE(home.ask("/debrief?run=merge-8").find("application/x-eyrie-run"), std::string::npos);
+  EXPECT_NE(home.ask("/debrief?run=merge-8&run=merge-8").find("application/x-eyrie-run"),
             std::string::npos);
-  std::filesystem::rename(home.folder / "runs/merge-4", home.folder / "runs/\u00fc & b");
+  std::filesystem::rename(home.folder / "runs/merge-8", home.folder / "runs/\u00fc & b");
   EXPECT_EQ(Json::parse(body(home.ask("/api/runs")))[0]["name"], "\u00fc & b");
   EXPECT_NE(home.ask("/debrief?run=%C3%BC%20%26%20b").find("application/x-eyrie-run"),
             std::string::npos);
   EXPECT_TRUE(home.ask("/debrief?run=nosuch").starts_with("HTTP/1.1 404 "));
-  for (const char* bad : {"/debrief", "/debrief?run=", "/debrief?run=../runs/merge-4", "/debrief?r",
-                          "/debrief?run=%2e%2e%2fruns%2fmerge-4", "/debrief?run=%00",
-                          "/debrief?run=merge-4&run=merge-4&run=merge-4", "/api/else"})
+  for (const char* bad : {"/debrief", "/debrief?run=", "/debrief?run=../runs/merge-8", "/debrief?r",
+                          "/debrief?run=%2e%2e%2fruns%2fmerge-8", "/debrief?run=%00",
+                          "/debrief?run=merge-8&run=merge-8&run=merge-8", "/api/else"})
     EXPECT_TRUE(home.ask(bad).starts_with("HTTP/1.1 404 ")) << bad;
 }
 

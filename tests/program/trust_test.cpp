@@ -219,7 +219,9 @@ TEST_F(Trust, NeverLooksWhereOneStandsForWhatARunFileNames) {
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   fs::create_directory(folder / "sub");
   ASSERT_EQ(::mkfifo((folder / "sub/libgood.so").c_str(), 0600), 0);
-  refused(folder / "sub/libgood.so", (folder / "sub/libgood.so") + ": it is a pipe, not a file\n");
+  const std::string pipe = folder / "sub/libgood.so";
+  refused(pipe, pipe + ": it was not opened: it is not trusted; add '--plugin " + pipe +
+                    "', or trust it with 'eyrie trust " + pipe + "'\n");
 }
 
 TEST(ShellWord, MayBeTypedAndShown) {

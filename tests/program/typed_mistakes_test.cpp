@@ -240,9 +240,11 @@ INSTANTIATE_TEST_SUITE_P(
         Typed{"UntilTwiceInTwoSpellings",
               {"fly", "x.yaml", "--until", "2 s", "--set", "\"until\"=1 s"},
               "eyrie: --set '\"until\"=1 s': --until sets '\"until\"', too\n"},
-        Typed{"SetToNothing",
-              {"fly", "x.yaml", "--set", "blue.flights.eagle.start.altitude="},
-              "x.yaml:18:14: eagle1: start needs altitude, heading and speed\n"},
+        Typed{
+            "SetToNothing",
+            {"fly", "x.yaml", "--set", "blue.flights.eagle.start.altitude="},
+            "--set blue.flights.eagle.start.altitude=:1:35: start.altitude: expected a length such "
+            "as '6000 ft', got nothing\n"},
         Typed{"UnitsOfSeeds",
               {"fly", "x.yaml", "--seeds", "1..2", "--units", "metric"},
               "eyrie: --seeds excludes --units\neyrie fly --help says more\n"},

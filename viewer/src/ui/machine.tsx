@@ -47,7 +47,8 @@ function condition_words(tree: Tree, node: number): string {
   const join = { sequence: ' and ', selector: ' or ' }[type];
   if (join) return children.map((child) => condition_words(tree, child)).join(join);
   if (type === 'inverter') return `not ${condition_words(tree, children[0]!)}`;
-  const given = Object.entries(params).map(([name, value]) => {
+  // what it asks in words is its label already, and waiting for no time is none
+  const given = Object.entries(params).filter(([, value]) => value !== label && value !== '0 s').map(([name, value]) => {
     const words = name.replaceAll('_', ' ');
     return value === 'true' ? words : value === 'false' ? `no ${words}` : `${words} ${reworded(value)}`;
   });
