@@ -4,34 +4,37 @@
 namespace eyrie::debrief {
 namespace {
 
-/// Which conditions made a node hold: itself, or what is below one that has no words of its own.
-std::vector<std::string> conditions(const Decision& now, ubf::NodeIndex node) {
+/// What those say that count: a node itself, or what is below one that has no words of its own.
+template <class Counts, class Say>
+std::vector<std::string> told(const Decision& now, ubf::NodeIndex node, const Counts& counts,
+                              const Say& say) {
   const Answer& answer = now.nodes[node];
-  if (!answer.asked || answer.status != ubf::Status::success || !answer.action.empty())
+  if (!answer.asked || !counts(answer))
     return {};
   std::vector<std::string> all;
   if (answer.label == answer.type)
     for (std::size_t n = node; n < now.nodes.size(); ++n)
       if (now.nodes[n].parent == node)
-        std::ranges::move(conditions(now, static_cast<ubf::NodeIndex>(n)), std::back_inserter(all));
-  return all.empty() ? std::vector{answer.label} : all;
+        std::ranges::move(told(now, static_cast<ubf::NodeIndex>(n), counts, say),
+                          std::back_inserter(all));
+  return all.empty() ? std::vector<std::string>{say(answer)} : all;
 }
 
-/// What failed below a node, or the node itself: "in_sight does not hold", "pursue failed: no
-/// target".
+/// Which conditions made a node hold.
+std::vector<std::string> conditions(const Decision& now, ubf::NodeIndex node) {
+  return told(
+      now, node,
+      [](const Answer& a) { return a.status == ubf::Status::success && a.action.empty(); },
+      [](const Answer& a) { return a.label; });
+}
+
+/// What failed: "in_sight does not hold", "pursue failed: no target".
 std::vector<std::string> unmet(const Decision& now, ubf::NodeIndex node) {
-  const Answer& answer = now.nodes[node];
-  if (!answer.asked || answer.status != ubf::Status::failure)
-    return {};
-  std::vector<std::string> all;
-  if (answer.label == answer.type)
-    for (std::size_t n = node; n < now.nodes.size(); ++n)
-      if (now.nodes[n].parent == node)
-        std::ranges::move(unmet(now, static_cast<ubf::NodeIndex>(n)), std::back_inserter(all));
-  if (all.empty())
-    all.push_back(answer.label +
-                  (answer.why == "does not hold" ? " does not hold" : " " + words(answer)));
-  return all;
+  return told(
+      now, node, [](const Answer& a) { return a.status == ubf::Status::failure; },
+      [](const Answer& a) {
+        return a.label + " " + (a.why == "does not hold" ? a.why : words(a));
+      });
 }
 
 /// Because of what a node was not asked: what the sibling that was asked last has to say, if that
