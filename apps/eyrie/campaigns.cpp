@@ -36,14 +36,12 @@ void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
       continue;
     std::error_code ignored;
     const std::string path = fs::weakly_canonical(plugin, ignored).string();
+    if (!fs::exists(path, ignored))
+      continue;
     const scenario::PluginPermission may_open = trusted();
-    std::string why = fs::exists(path, ignored) ? scenario::refusal(may_open, path) : "";
-    if (why.empty())
-      if (const disk::FileRead read = scenario::read_plugin_file(path); read.problem.empty())
-        why = scenario::refusal(may_open, path, read.bytes);
-    if (!why.empty())
-      throw ConfigError(spec.plugins_where[i], "plug-in {}: {}", quote_path(plugin),
-                        scenario::not_opened(why, plugin));
+    if (const disk::FileRead read = scenario::read_allowed(path, &may_open, plugin);
+        !read.problem.empty())
+      throw ConfigError(spec.plugins_where[i], "plug-in {}: {}", quote_path(plugin), read.problem);
   }
 }
 

@@ -26,19 +26,10 @@ std::string plugin_problem(const scenario::PluginFile& plugin, const std::string
         "the run needs the plug-in {}, which is not there; --plugin (in Python plugins=) says "
         "where it is now",
         shown);
-  const auto needs = [&](const std::string& why) {
-    return fmt::format("the run needs the plug-in {}: {}", shown, why);
-  };
-  const std::string canonical = fs::weakly_canonical(file, failed).string();
-  if (unasked)
-    if (const std::string why = scenario::refusal(may_open, canonical); !why.empty())
-      return needs(scenario::not_opened(why, file));
-  const disk::FileRead read = scenario::read_plugin_file(file);
+  const disk::FileRead read = scenario::read_allowed(fs::weakly_canonical(file, failed).string(),
+                                                     unasked ? &may_open : nullptr, file);
   if (!read.problem.empty())
-    return needs(read.problem);
-  if (unasked)
-    if (const std::string why = scenario::refusal(may_open, canonical, read.bytes); !why.empty())
-      return needs(scenario::not_opened(why, file));
+    return fmt::format("the run needs the plug-in {}: {}", shown, read.problem);
   if (scenario::hash_of(read.bytes) != plugin.hash)
     return fmt::format("{} is not the {} of the run: it has other bytes", shown, name);
   return {};

@@ -113,16 +113,9 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
   for (const PluginFile& known : files_)
     if (known.path == file)
       return {};
-  // of what nobody has allowed not a byte is read
-  if (permission)
-    if (const std::string why = refusal(*permission, file); !why.empty())
-      return {not_opened(why, path)};
-  const disk::FileRead read = read_plugin_file(file);
+  const disk::FileRead read = read_allowed(file, permission, path);
   if (!read.problem.empty())
     return {read.problem};
-  if (permission)
-    if (const std::string why = refusal(*permission, file, read.bytes); !why.empty())
-      return {not_opened(why, path)};
   if (std::string problem = shared_object_problem(read.bytes); !problem.empty())
     return {std::move(problem)};
   // whoever ends the program in there is named

@@ -15,7 +15,6 @@
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
 #include "disk/output.hpp"
-#include "disk/sink.hpp"
 #include "scenario/plugin_file.hpp"
 
 namespace eyrie::scenario {
@@ -45,19 +44,26 @@ std::string line_problem(std::string_view line) {
 
 }  // namespace
 
-std::string refusal(const PluginPermission& permission, const std::string& path) {
-  return permission ? permission(path, "") : "it is not trusted";
-}
-
-std::string refusal(const PluginPermission& permission, const std::string& path,
-                    std::string_view bytes) {
-  return permission ? permission(path, sha256(bytes)) : "it is not trusted";
-}
-
-std::string not_opened(std::string_view why, std::string_view path) {
-  const std::string word = shell_word(path);
-  return fmt::format("it was not opened: {}; add '--plugin {}', or trust it with 'eyrie trust {}'",
-                     why, word, word);
+disk::FileRead read_allowed(const std::string& path, const PluginPermission* permission,
+                            std::string_view shown) {
+  const auto refused = [&](const std::string& sha256) {
+    if (!permission)
+      return std::string();
+    const std::string why = *permission ? (*permission)(path, sha256) : "it is not trusted";
+    const std::string word = shell_word(shown);
+    return why.empty() ? why
+                       : fmt::format(
+                             "it was not opened: {}; add '--plugin {}', or trust it with "
+                             "'eyrie trust {}'",
+                             why, word, word);
+  };
+  disk::FileRead read;
+  read.problem = refused("");
+  if (read.problem.empty())
+    read = read_plugin_file(path);
+  if (read.problem.empty() && permission)
+    read.problem = refused(sha256(read.bytes));
+  return read;
 }
 
 TrustList TrustList::read(const std::string& file) {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "disk/sink.hpp"
+
 namespace eyrie::scenario {
 
 /// Asked before a plug-in is opened that nobody has typed but that a scenario or a run file names:
@@ -15,14 +17,12 @@ namespace eyrie::scenario {
 using PluginPermission =
     std::function<std::string(const std::string& path, const std::string& sha256)>;
 
-/// Why a plug-in that a file names may not be opened; empty if it may. `path` is canonical. The
-/// file is read only if its path is allowed.
-[[nodiscard]] std::string refusal(const PluginPermission& permission, const std::string& path);
-/// The same of one that was read.
-[[nodiscard]] std::string refusal(const PluginPermission& permission, const std::string& path,
-                                  std::string_view bytes);
-/// "it was not opened: <why>; add '--plugin x.so', or trust it with 'eyrie trust x.so'"
-[[nodiscard]] std::string not_opened(std::string_view why, std::string_view path);
+/// Reads the file of a plug-in at its canonical path. With a permission not a byte is read before
+/// its path is allowed; the problem is then "it was not opened: <why>; add '--plugin x.so', or
+/// trust it with 'eyrie trust x.so'", with `shown` as x.so.
+[[nodiscard]] disk::FileRead read_allowed(const std::string& path,
+                                          const PluginPermission* permission,
+                                          std::string_view shown);
 
 /// The list of trusted plug-ins: a text file with a line each, as sha256sum writes and checks it.
 ///
