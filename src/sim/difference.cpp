@@ -7,32 +7,41 @@ namespace eyrie::sim {
 
 namespace {
 
-/// The header of a world as text; the numbers of rows come with their tables.
-std::optional<Difference> differ_in_header(const World& left, const World& right) {
-  Difference found{.step = left.step()};
-  const auto differ = [&](const char* name, std::uint64_t a, std::uint64_t b) {
-    if (a == b || !found.field.empty())
-      return;
-    found.field = name;
-    found.left = fmt::to_string(a);
-    found.right = fmt::to_string(b);
-  };
-  differ("step", left.step(), right.step());
-  differ("seed", left.seed(), right.seed());
-  differ("next_id", left.next_id().value, right.next_id().value);
-  differ("refused_births", left.refused_births(), right.refused_births());
-  return found.field.empty() ? std::nullopt : std::optional(found);
+/// Nothing if two numbers are the same.
+std::optional<Difference> differ(std::uint64_t step, std::string table, std::string field,
+                                 std::uint64_t left, std::uint64_t right) {
+  if (left == right)
+    return std::nullopt;
+  return Difference{.step = step,
+                    .table = std::move(table),
+                    .field = std::move(field),
+                    .left = fmt::to_string(left),
+                    .right = fmt::to_string(right)};
 }
 
-/// One row of one column; `found` has the step, table and column already.
-void name_field(Difference& found, const ColumnInfo& column, const std::byte* left,
+/// The header of a world; the numbers of rows come with their tables.
+std::optional<Difference> differ_in_header(const World& left, const World& right) {
+  const std::uint64_t step = left.step();
+  if (auto found = differ(step, "", "step", step, right.step()))
+    return found;
+  if (auto found = differ(step, "", "seed", left.seed(), right.seed()))
+    return found;
+  if (auto found = differ(step, "", "next_id", left.next_id().value, right.next_id().value))
+    return found;
+  return differ(step, "", "refused_births", left.refused_births(), right.refused_births());
+}
+
+/// Names the first field in which two rows differ; false if they are the same.
+bool name_field(Difference& found, std::span<const FieldInfo> fields, const std::byte* left,
                 const std::byte* right) {
-  const auto where = find_difference(column.fields, left, right);
-  EYRIE_DEMAND(where.has_value(), "the fields of a column cover its rows");
-  const FieldInfo& info = column.fields[where->field];
+  const auto where = find_difference(fields, left, right);
+  if (!where)
+    return false;
+  const FieldInfo& info = fields[where->field];
   found.field = scalar_label(info, where->index);
   found.left = format_scalar(info, left, where->index);
   found.right = format_scalar(info, right, where->index);
+  return true;
 }
 
 }  // namespace
@@ -55,7 +64,8 @@ std::optional<Difference> first_difference(const World& left, const World& right
                    .row = row,
                    .player = left.ids(column.table)[row]};
   const std::size_t at = std::size_t{row} * column.stride;
-  name_field(found, column, a.data() + at, b.data() + at);
+  EYRIE_DEMAND(name_field(found, column.fields, a.data() + at, b.data() + at),
+               "the fields of a column cover its rows");
   return found;
 }
 
@@ -88,41 +98,22 @@ std::optional<Difference> first_difference(const World& left, const World& right
     for (const std::uint32_t index : table.columns)
       if (auto found = first_difference(left, right, index))
         return found;
-    if (left.rows(TableId{t}) != right.rows(TableId{t}))
-      return Difference{.step = left.step(),
-                        .table = table.name,
-                        .field = "rows",
-                        .left = fmt::to_string(left.rows(TableId{t})),
-                        .right = fmt::to_string(right.rows(TableId{t}))};
+    if (auto found =
+            differ(left.step(), table.name, "rows", left.rows(TableId{t}), right.rows(TableId{t})))
+      return found;
   }
   return std::nullopt;
 }
 
 std::optional<Difference> first_difference(std::uint64_t step, std::span<const Event> left,
                                            std::span<const Event> right) {
-  const std::size_t common = std::min(left.size(), right.size());
-  constexpr std::span<const FieldInfo> kFields = fields_of<Event>();
-  for (std::size_t i = 0; i < common; ++i) {
-    const auto* a = reinterpret_cast<const std::byte*>(&left[i]);
-    const auto* b = reinterpret_cast<const std::byte*>(&right[i]);
-    if (const auto where = find_difference(kFields, a, b)) {
-      const FieldInfo& info = kFields[where->field];
-      return Difference{.step = step,
-                        .table = "events",
-                        .row = static_cast<std::uint32_t>(i),
-                        .player = left[i].who,
-                        .field = scalar_label(info, where->index),
-                        .left = format_scalar(info, a, where->index),
-                        .right = format_scalar(info, b, where->index)};
-    }
+  for (std::uint32_t i = 0; i < std::min(left.size(), right.size()); ++i) {
+    Difference found{.step = step, .table = "events", .row = i, .player = left[i].who};
+    if (name_field(found, fields_of<Event>(), reinterpret_cast<const std::byte*>(&left[i]),
+                   reinterpret_cast<const std::byte*>(&right[i])))
+      return found;
   }
-  if (left.size() == right.size())
-    return std::nullopt;
-  return Difference{.step = step,
-                    .table = "events",
-                    .field = "count",
-                    .left = fmt::to_string(left.size()),
-                    .right = fmt::to_string(right.size())};
+  return differ(step, "events", "count", left.size(), right.size());
 }
 
 namespace {
@@ -201,10 +192,8 @@ void digest_column(const ColumnInfo& column, std::span<const std::byte> bytes,
 
 /// The rows of one table, which stand together and in order.
 std::span<const Digest::Row> rows_of(const Digest& digest, std::uint32_t table) {
-  const auto [first, last] = std::equal_range(
-      digest.rows.begin(), digest.rows.end(), Digest::Row{.table = table},
-      [](const Digest::Row& a, const Digest::Row& b) { return a.table < b.table; });
-  return {first, last};
+  const auto rows = std::ranges::equal_range(digest.rows, table, {}, &Digest::Row::table);
+  return {rows.begin(), rows.end()};
 }
 
 /// Names the first row that is not the same or exists on one side only, in the table of the field
@@ -262,17 +251,14 @@ Digest digest(const World& world) {
 std::optional<Difference> compare(const Schema& schema, const Digest& left, const Digest& right) {
   if (left == right)
     return std::nullopt;
-  Difference found{.step = left.step};
-  if (left.fields.size() != right.fields.size()) {
-    found.field = "number of fields";
-    found.left = std::to_string(left.fields.size());
-    found.right = std::to_string(right.fields.size());
+  if (auto found =
+          differ(left.step, "", "number of fields", left.fields.size(), right.fields.size()))
     return found;
-  }
 
   // the first field that differs says which column it is
   const auto first = std::mismatch(left.fields.begin(), left.fields.end(), right.fields.begin());
   auto index = static_cast<std::size_t>(first.first - left.fields.begin());
+  Difference found{.step = left.step};
   for (const ColumnInfo& column : schema.columns()) {
     if (index < column.fields.size()) {
       found.table = schema.table(column.table).name;
