@@ -74,50 +74,47 @@ std::uint32_t Schema::find_column(TableId table, std::string_view name) const {
   return kNoColumn;
 }
 
-SchemaBuilder::SchemaBuilder() : schema_(std::make_unique<Schema>()) {}
-SchemaBuilder::~SchemaBuilder() = default;
-
-TableId SchemaBuilder::add_table(std::string_view name, std::uint32_t capacity) {
+Schema& SchemaBuilder::open() const {
   if (schema_ == nullptr)
     misuse("it was built already");
+  return *schema_;
+}
+
+TableId SchemaBuilder::add_table(std::string_view name, std::uint32_t capacity) {
+  Schema& schema = open();
   demand_identifier(name);
-  if (schema_->find_table(name))
+  if (schema.find_table(name))
     misuse(fmt::format("table '{}' is added twice", name));
   if (capacity == 0 || capacity > kMostRows)
     misuse(fmt::format("table '{}' must have room for 1 to {} rows, not {}", name, kMostRows,
                        capacity));
-  schema_->tables_.push_back({std::string(name), capacity, {}});
-  const TableId table{static_cast<std::uint32_t>(schema_->tables_.size())};
+  schema.tables_.push_back({std::string(name), capacity, {}});
+  const TableId table{static_cast<std::uint32_t>(schema.tables_.size())};
 
-  constexpr FieldInfo kId{.name = "id", .offset = 0, .type = Scalar::u32, .count = 1, .unit = ""};
-  constexpr FieldInfo kMark{
-      .name = "leaving", .offset = 0, .type = Scalar::u8, .count = 1, .unit = ""};
-  add(table, "id", sizeof(PlayerId), alignof(PlayerId), {&kId, 1});
-  add(table, "leaving", 1, 1, {&kMark, 1});
+  constexpr FieldInfo kId{.name = "id", .type = Scalar::u32};
+  constexpr FieldInfo kMark{.name = "leaving", .type = Scalar::u8};
+  add(table, "id", sizeof(PlayerId), {&kId, 1});
+  add(table, "leaving", 1, {&kMark, 1});
   return table;
 }
 
-ByteColumn SchemaBuilder::add_bytes(TableId table, std::string_view name, std::uint32_t stride,
-                                    std::uint32_t alignment) {
-  if (!std::has_single_bit(alignment) || alignment > Schema::kAlignment)
-    misuse(fmt::format("'{}': {} is no alignment", name, alignment));
-  if (stride == 0 || stride > kWidestSlab || stride % alignment != 0)
+ByteColumn SchemaBuilder::add_bytes(TableId table, std::string_view name, std::uint32_t stride) {
+  constexpr std::uint32_t kAlignment = 8;
+  if (stride == 0 || stride > kWidestSlab || stride % kAlignment != 0)
     misuse(fmt::format("'{}': a stride of {} bytes is not in [1, {}] or no multiple of {}", name,
-                       stride, kWidestSlab, alignment));
-  const FieldInfo bytes{
-      .name = "bytes", .offset = 0, .type = Scalar::bytes, .count = stride, .unit = ""};
-  return {add(table, name, stride, alignment, {&bytes, 1})};
+                       stride, kWidestSlab, kAlignment));
+  const FieldInfo bytes{.name = "bytes", .type = Scalar::bytes, .count = stride};
+  return {add(table, name, stride, {&bytes, 1})};
 }
 
 std::uint32_t SchemaBuilder::add(TableId table, std::string_view name, std::size_t stride,
-                                 std::size_t alignment, std::span<const FieldInfo> fields) {
-  if (schema_ == nullptr)
-    misuse("it was built already");
+                                 std::span<const FieldInfo> fields) {
+  Schema& schema = open();
   demand_identifier(name);
-  if (!table || table.value > schema_->tables_.size())
+  if (!table || table.value > schema.tables_.size())
     misuse(fmt::format("column '{}' is added to an unknown table", name));
-  TableInfo& info = schema_->tables_[table.value - 1];
-  if (schema_->find_column(table, name) != kNoColumn)
+  TableInfo& info = schema.tables_[table.value - 1];
+  if (schema.find_column(table, name) != kNoColumn)
     misuse(fmt::format("column '{}' is added twice to table '{}'", name, info.name));
   std::set<std::string_view> names;
   for (const FieldInfo& field : fields)
@@ -125,44 +122,37 @@ std::uint32_t SchemaBuilder::add(TableId table, std::string_view name, std::size
       misuse(
           fmt::format("{}.{}: field '{}' is described twice", info.name, name, field.name.view()));
 
-  const auto index = static_cast<std::uint32_t>(schema_->columns_.size());
-  schema_->columns_.push_back({.name = std::string(name),
-                               .table = table,
-                               .stride = static_cast<std::uint32_t>(stride),
-                               .alignment = static_cast<std::uint32_t>(alignment),
-                               .offset = 0,
-                               .fields = {fields.begin(), fields.end()}});
+  const auto index = static_cast<std::uint32_t>(schema.columns_.size());
+  schema.columns_.push_back({.name = std::string(name),
+                             .table = table,
+                             .stride = static_cast<std::uint32_t>(stride),
+                             .fields = {fields.begin(), fields.end()}});
   info.columns.push_back(index);
   return index;
 }
 
 void SchemaBuilder::set_writers(std::uint32_t column, std::span<const WrittenBy> writers) {
-  if (schema_ == nullptr)
-    misuse("it was built already");
-  schema_->columns_.at(column).writers.emplace(writers.begin(), writers.end());
+  open().columns_.at(column).writers.emplace(writers.begin(), writers.end());
 }
 
 void SchemaBuilder::set_seldom(std::uint32_t column) {
-  if (schema_ == nullptr || column >= schema_->columns_.size())
-    misuse("there is no such column");
-  schema_->columns_[column].seldom = true;
+  open().columns_.at(column).seldom = true;
 }
 
 std::shared_ptr<const Schema> SchemaBuilder::build() {
-  if (schema_ == nullptr)
-    misuse("it was built already");
-  if (schema_->tables_.empty())
+  Schema& schema = open();
+  if (schema.tables_.empty())
     misuse("it has no table");
-  std::uint64_t bytes = round_up(World::header_bytes(schema_->tables_.size()));
-  for (const TableInfo& table : schema_->tables_)
+  std::uint64_t bytes = round_up(World::header_bytes(schema.tables_.size()));
+  for (const TableInfo& table : schema.tables_)
     for (const std::uint32_t index : table.columns) {
-      ColumnInfo& column = schema_->columns_[index];
+      ColumnInfo& column = schema.columns_[index];
       column.offset = bytes;
       bytes = round_up(bytes + std::uint64_t{column.stride} * table.capacity);
     }
-  schema_->bytes_ = bytes;
-  schema_->layout_hash_ = hash_layout(*schema_);
-  return std::shared_ptr<const Schema>(std::move(schema_));
+  schema.bytes_ = bytes;
+  schema.layout_hash_ = hash_layout(schema);
+  return std::move(schema_);
 }
 
 bool same_but_for_bytes(const Schema& a, const Schema& b) {

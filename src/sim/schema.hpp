@@ -24,9 +24,8 @@ struct ByteColumn {
 struct ColumnInfo {
   std::string name;
   TableId table;
-  std::uint32_t stride = 0;     ///< bytes per row
-  std::uint32_t alignment = 0;  ///< bytes
-  std::uint64_t offset = 0;     ///< of row 0 in the World's buffer, a multiple of 64
+  std::uint32_t stride = 0;  ///< bytes per row
+  std::uint64_t offset = 0;  ///< of row 0 in the World's buffer, a multiple of 64
   std::vector<FieldInfo> fields;
   /// No part of the hash of a world where all of it is zero. No part of the layout either.
   bool seldom = false;
@@ -81,23 +80,17 @@ concept DescribedRow = HasFields<Row> && std::is_standard_layout_v<Row> && align
 /// of the program and throws std::logic_error.
 class SchemaBuilder {
  public:
-  SchemaBuilder();
-  ~SchemaBuilder();
-  SchemaBuilder(const SchemaBuilder&) = delete;
-  SchemaBuilder& operator=(const SchemaBuilder&) = delete;
-
   /// A table of at most `capacity` rows, in [1, 2^24].
   TableId add_table(std::string_view name, std::uint32_t capacity);
 
   template <DescribedRow Row>
   Column<Row> add_column(TableId table, std::string_view name) {
     const auto fields = Row::fields();
-    return {add(table, name, sizeof(Row), alignof(Row), fields)};
+    return {add(table, name, sizeof(Row), fields)};
   }
 
-  /// `stride` bytes per row, in [1, 2^20] and a multiple of `alignment`, a power of two up to 64.
-  ByteColumn add_bytes(TableId table, std::string_view name, std::uint32_t stride,
-                       std::uint32_t alignment = 8);
+  /// `stride` bytes per row, in [1, 2^20] and a multiple of 8.
+  ByteColumn add_bytes(TableId table, std::string_view name, std::uint32_t stride);
 
   /// Says who writes a column, so that sim::WriteCheck can tell who else does.
   void set_writers(std::uint32_t column, std::span<const WrittenBy> writers);
@@ -109,10 +102,13 @@ class SchemaBuilder {
   [[nodiscard]] std::shared_ptr<const Schema> build();
 
  private:
-  std::uint32_t add(TableId table, std::string_view name, std::size_t stride, std::size_t alignment,
+  std::uint32_t add(TableId table, std::string_view name, std::size_t stride,
                     std::span<const FieldInfo> fields);
 
-  std::unique_ptr<Schema> schema_;
+  /// What is being built.
+  [[nodiscard]] Schema& open() const;
+
+  std::unique_ptr<Schema> schema_ = std::make_unique<Schema>();
 };
 
 /// Whether worlds have the same tables, but for their capacities and for how many bytes without a
