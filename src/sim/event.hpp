@@ -85,17 +85,13 @@ static_assert(fields_cover_row<Event>());
 static_assert(sizeof(Event) == 64, "one cache line, no padding");
 
 /// Where the rows of one chunk write their events during a parallel phase. Never drops one: when
-/// the room kept for it is used up it allocates, and the growth is counted.
+/// the room kept for it is used up it allocates.
 class alignas(64) Outbox {
  public:
   Outbox() = default;
   explicit Outbox(std::size_t room) { events_.reserve(room); }
 
-  void emit(const Event& event) {
-    if (events_.size() == events_.capacity())
-      ++growths_;
-    events_.push_back(event);
-  }
+  void emit(const Event& event) { events_.push_back(event); }
 
   /// The step cannot be finished. The first fault of a chunk counts; it is the only thing in a step
   /// that may allocate.
@@ -107,13 +103,10 @@ class alignas(64) Outbox {
 
   [[nodiscard]] std::span<const Event> events() const { return events_; }
   [[nodiscard]] bool failed() const { return fault_ != nullptr; }
-  /// How often emit() had to allocate since the outbox was made.
-  [[nodiscard]] std::uint64_t growths() const { return growths_; }
   void clear() { events_.clear(); }
 
  private:
   std::vector<Event> events_;
-  std::uint64_t growths_ = 0;
   std::unique_ptr<Fault> fault_;
 };
 

@@ -25,13 +25,6 @@ Workspace::Workspace(const Simulation& simulation, unsigned workers, std::size_t
     by_chunk_.emplace_back(room);
 }
 
-std::uint64_t Workspace::growths() const {
-  std::uint64_t sum = events_.growths() + emitted_.growths();
-  for (const Outbox& outbox : by_chunk_)
-    sum += outbox.growths();
-  return sum;
-}
-
 void Workspace::collect(std::size_t chunks) {
   for (std::size_t i = 0; i < chunks; ++i) {
     if (by_chunk_[i].failed()) [[unlikely]]

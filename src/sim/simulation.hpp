@@ -36,8 +36,6 @@ class Workspace {
   void check_writes(const World& like) { check_ = std::make_unique<WriteCheck>(like); }
   /// The first that was found; null if writes are not checked.
   [[nodiscard]] WriteCheck* write_check() { return check_.get(); }
-  /// How often a step had to allocate because more happened than ever before.
-  [[nodiscard]] std::uint64_t growths() const;
 
  private:
   friend class Simulation;

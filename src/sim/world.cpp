@@ -75,11 +75,6 @@ void World::remove(TableId table, std::uint32_t row) {
   marks(table)[row] = kLeaving;
 }
 
-bool World::leaving(TableId table, std::uint32_t row) const {
-  EYRIE_ASSERT(row < rows(table));
-  return marks(table)[row] == kLeaving;
-}
-
 void World::compact() {
   const auto tables = static_cast<std::uint32_t>(schema_->tables().size());
   for (std::uint32_t i = 1; i <= tables; ++i)

@@ -121,8 +121,6 @@ class World {
   [[nodiscard]] std::optional<Born> spawn(TableId table);
   /// Marks a row for removal; compact() carries it out. Idempotent. `row` must exist.
   void remove(TableId table, std::uint32_t row);
-  /// Whether a row is marked for removal.
-  [[nodiscard]] bool leaving(TableId table, std::uint32_t row) const;
   /// Takes the marked rows out, keeps the order of the rest and zeroes what is freed. The step
   /// calls it at the end of its commit.
   void compact();

@@ -65,8 +65,6 @@ TEST(World, RemovesMarkedRowsOnlyWhenItIsCompacted) {
   world.remove(swarm.keys.birds, 1);
   world.remove(swarm.keys.birds, 4);
   world.remove(swarm.keys.birds, 4);
-  EXPECT_TRUE(world.leaving(swarm.keys.birds, 4));
-  EXPECT_FALSE(world.leaving(swarm.keys.birds, 3));
   EXPECT_EQ(world.rows(swarm.keys.birds), 6u);
   EXPECT_FALSE(world.canonical());
 
