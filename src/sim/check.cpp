@@ -74,7 +74,7 @@ std::string writers_text(const ColumnInfo& column) {
   std::string text;
   for (const WrittenBy& by : *column.writers)
     text += fmt::format("{}{} in {}", text.empty() ? "only by " : " and by ", by.system,
-                        phase_name(by.phase));
+                        enum_name(by.phase));
   return text.empty() ? "by nobody" : text;
 }
 
@@ -84,7 +84,7 @@ void WriteCheck::note(std::optional<Difference> difference, const System& system
                       const std::string& rule) {
   if (!difference || found_)
     return;
-  difference->rule = fmt::format("{} in {} {}", system.name(), phase_name(phase), rule);
+  difference->rule = fmt::format("{} in {} {}", system.name(), enum_name(phase), rule);
   found_ = std::move(difference);
 }
 

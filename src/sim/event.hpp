@@ -39,8 +39,11 @@ using OrderKind = KindCode<struct OrderTag>;
 
 /// The parts of a step, in the order in which they run and in which their events are sorted.
 enum class Phase : std::uint8_t { orders, perceive, decide, act, move, interact, commit };
-inline constexpr std::size_t kPhases = 7;
-[[nodiscard]] std::string_view phase_name(Phase phase);
+constexpr auto names_of(Phase) {
+  return names_from_zero<Phase>("orders", "perceive", "decide", "act", "move", "interact",
+                                "commit");
+}
+inline constexpr std::size_t kPhases = EnumNames<Phase>::names.size();
 
 /// A system that writes a column, by its name (a literal), and when.
 struct WrittenBy {

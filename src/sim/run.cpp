@@ -16,10 +16,9 @@ std::optional<Difference> Paranoid::step(World& world, Workspace& work,
     return std::nullopt;
   const std::span<const Event> events_again = simulation_.step(again_, second_, orders);
 
-  if (!world.same_bytes(again_)) {
+  if (!world.same_bytes(again_))
     if (auto found = first_difference(world, again_))
       return found;
-  }
   if (auto found = first_difference(world.step() - 1, events, events_again))
     return found;
   if (auto found = second_.write_check()->take())
@@ -32,13 +31,6 @@ std::optional<Difference> Paranoid::step(World& world, Workspace& work,
   return std::nullopt;
 }
 
-namespace {
-
-constexpr auto kEarlier = [](const Order& order, std::uint64_t step) { return order.step < step; };
-constexpr auto kLater = [](std::uint64_t step, const Order& order) { return step < order.step; };
-
-}  // namespace
-
 Run::Run(std::shared_ptr<const Simulation> simulation, World start, const RunOptions& options)
     : simulation_(std::move(simulation)),
       world_(std::move(start)),
@@ -46,8 +38,7 @@ Run::Run(std::shared_ptr<const Simulation> simulation, World start, const RunOpt
       copy_(world_),
       steps_per_copy_(std::max<std::uint64_t>(options.steps_per_copy, 1)),
       numbers_(simulation_->schema()),
-      check_(
-          static_cast<std::uint32_t>(std::clamp(std::nearbyint(1 / simulation_->dt()), 1.0, 1e9))) {
+      check_(steps_in_a_second(simulation_->dt())) {
   EYRIE_THROW_UNLESS(&world_.schema() == &simulation_->schema(),
                      "the world belongs to another simulation");
   if (options.paranoid_workers != 0)
@@ -70,15 +61,13 @@ std::string Run::submit(const Order& order) {
   if (order.step < world().step())
     return fmt::format("an order for step {} comes too late: step {} is next", order.step,
                        world().step());
-  const auto after = std::upper_bound(orders_.begin(), orders_.end(), order.step, kLater);
-  orders_.insert(after, order);
+  orders_.insert(std::ranges::upper_bound(orders_, order.step, {}, &Order::step), order);
   return {};
 }
 
 std::span<const Order> Run::orders_for(std::uint64_t step) const {
-  const auto first = std::lower_bound(orders_.begin(), orders_.end(), step, kEarlier);
-  const auto last = std::upper_bound(first, orders_.end(), step, kLater);
-  return {first, last};
+  const auto orders = std::ranges::equal_range(orders_, step, {}, &Order::step);
+  return {orders.begin(), orders.end()};
 }
 
 std::span<const Event> Run::step() {

@@ -83,8 +83,8 @@ TEST(Phases, AreThoseThatASystemOverrides) {
   EXPECT_EQ(phases_of<swarm::Hunter>(), (Phases{false, true, true, true, false, false, false}));
   EXPECT_EQ(phases_of<swarm::Wings>(), (Phases{true, false, false, false, true, false, false}));
   EXPECT_EQ(phases_of<swarm::Referee>(), (Phases{false, false, false, false, false, false, true}));
-  EXPECT_EQ(phase_name(Phase::orders), "orders");
-  EXPECT_EQ(phase_name(Phase::commit), "commit");
+  EXPECT_EQ(enum_name(Phase::orders), "orders");
+  EXPECT_EQ(enum_name(Phase::commit), "commit");
 }
 
 TEST(SimulationBuilder, RefusesOrdersThatTwoAccept) {

@@ -47,6 +47,9 @@ struct Period {
 /// than one per step, that the base rate 1/dt is no whole multiple of, or slower than one per hour.
 [[nodiscard]] Period period_steps(double rate, double dt);
 
+/// In whole steps, at least 1.
+[[nodiscard]] std::uint32_t steps_in_a_second(double dt);
+
 /// What is the same for everybody during one step.
 struct StepInfo {
   std::uint64_t step;  ///< number of the step being made, counted from 0

@@ -15,19 +15,15 @@ constexpr char kSamePlayers = 0, kOtherPlayers = 1;
 constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max() / 2;
 
 bool same_players(const std::vector<Digest::Row>& a, const std::vector<Digest::Row>& b) {
-  if (a.size() != b.size())
-    return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i].table != b[i].table || a[i].player != b[i].player)
-      return false;
-  return true;
+  const auto player = [](const Digest::Row& row) { return std::pair(row.table, row.player); };
+  return std::ranges::equal(a, b, {}, player, player);
 }
 
 /// What is in one of two sorted lists only.
 void parted(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
             std::vector<std::uint32_t>& out) {
   out.clear();
-  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  std::ranges::set_symmetric_difference(a, b, std::back_inserter(out));
 }
 
 }  // namespace
@@ -168,14 +164,6 @@ std::uint16_t TrailUnpacker::fold(std::uint64_t step) const {
   std::memcpy(&fold, folds_.data() + index * sizeof fold, sizeof fold);
   return fold;
 }
-
-namespace {
-
-std::uint32_t steps_in_a_second(double dt) {
-  return static_cast<std::uint32_t>(std::clamp(std::nearbyint(1 / dt), 1.0, 1e9));
-}
-
-}  // namespace
 
 std::optional<HashTrail> trail_of(std::string spans, std::uint32_t steps_per_second) {
   TrailUnpacker span(spans, steps_per_second);
