@@ -67,54 +67,6 @@ std::ptrdiff_t alike(std::string_view a, std::string_view b) {
   return std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
 }
 
-template <class Name>
-std::string nearest(std::string_view wrong, std::span<const Name> names) {
-  if (wrong.empty() || wrong.size() > kLongestName)
-    return {};
-  std::optional<std::string_view> best;
-  std::size_t best_distance = kLongestName;
-  for (const std::string_view name : names) {
-    if (name == wrong)
-      return fmt::format("; did you mean '{}'?", name);
-    if (best_distance == 0 || name.empty() || name.size() > kLongestName)
-      continue;  // only the same name is nearer than one that differs in letter case alone
-    // as many edits as one is longer than the other it takes at least
-    const std::size_t longer = std::max(wrong.size(), name.size());
-    const std::size_t most = std::min(tolerance(wrong, name), best_distance);
-    if (longer - std::min(wrong.size(), name.size()) > most)
-      continue;
-    const std::size_t distance = edit_distance(wrong, name, most);
-    // one edit in a name of one letter leaves nothing of it; of two the one that begins alike
-    if (distance <= most && distance < name.size() &&
-        (distance < best_distance || alike(wrong, name) > alike(wrong, *best))) {
-      best = name;
-      best_distance = distance;
-    }
-  }
-  if (!best) {
-    // half a name, if it is of no other
-    const auto has = [wrong](std::string_view name) { return are_words_of(wrong, name); };
-    const auto one = std::ranges::find_if(names, has);
-    if (one != names.end() && std::none_of(one + 1, names.end(), has))
-      best = *one;
-  }
-  return best ? fmt::format("; did you mean '{}'?", *best) : std::string{};
-}
-
-template <class Name>
-std::string near_or_all(std::string_view wrong, std::span<const Name> names) {
-  constexpr std::size_t kGlance = 250;  // characters
-  std::string hint = nearest(wrong, names);
-  if (!hint.empty() || names.empty())
-    return hint;
-  std::vector<std::string_view> once;
-  for (const std::string_view name : names)
-    if (once.size() < kGlance && std::ranges::find(once, name) == once.end())
-      once.push_back(name);
-  const std::string all = printable(fmt::format(", only {}", fmt::join(once, ", ")));
-  return all.size() <= kGlance ? all : "";
-}
-
 /// The one copy of a name.
 const std::string* kept(std::string_view name) {
   static Mutex mutex;
@@ -210,20 +162,50 @@ ConfigError::ConfigError(Location where, std::string message)
         return one;
       }()) {}
 
-std::string did_you_mean(std::string_view wrong, std::span<const std::string_view> names) {
-  return nearest(wrong, names);
+std::string did_you_mean(std::string_view wrong, const NameList& names) {
+  if (wrong.empty() || wrong.size() > kLongestName)
+    return {};
+  std::optional<std::string_view> best;
+  std::size_t best_distance = kLongestName;
+  for (const std::string_view name : names) {
+    if (name == wrong)
+      return fmt::format("; did you mean '{}'?", name);
+    if (best_distance == 0 || name.empty() || name.size() > kLongestName)
+      continue;  // only the same name is nearer than one that differs in letter case alone
+    // as many edits as one is longer than the other it takes at least
+    const std::size_t longer = std::max(wrong.size(), name.size());
+    const std::size_t most = std::min(tolerance(wrong, name), best_distance);
+    if (longer - std::min(wrong.size(), name.size()) > most)
+      continue;
+    const std::size_t distance = edit_distance(wrong, name, most);
+    // one edit in a name of one letter leaves nothing of it; of two the one that begins alike
+    if (distance <= most && distance < name.size() &&
+        (distance < best_distance || alike(wrong, name) > alike(wrong, *best))) {
+      best = name;
+      best_distance = distance;
+    }
+  }
+  if (!best) {
+    // half a name, if it is of no other
+    const auto has = [wrong](std::string_view name) { return are_words_of(wrong, name); };
+    const auto one = std::ranges::find_if(names, has);
+    if (one != names.end() && std::none_of(one + 1, names.end(), has))
+      best = *one;
+  }
+  return best ? fmt::format("; did you mean '{}'?", *best) : std::string{};
 }
 
-std::string did_you_mean(std::string_view wrong, std::span<const std::string> names) {
-  return nearest(wrong, names);
-}
-
-std::string nearest_or_all(std::string_view wrong, std::span<const std::string_view> names) {
-  return near_or_all(wrong, names);
-}
-
-std::string nearest_or_all(std::string_view wrong, std::span<const std::string> names) {
-  return near_or_all(wrong, names);
+std::string nearest_or_all(std::string_view wrong, const NameList& names) {
+  constexpr std::size_t kGlance = 250;  // characters
+  std::string hint = did_you_mean(wrong, names);
+  if (!hint.empty() || names.empty())
+    return hint;
+  std::vector<std::string_view> once;
+  for (const std::string_view name : names)
+    if (once.size() < kGlance && std::ranges::find(once, name) == once.end())
+      once.push_back(name);
+  const std::string all = printable(fmt::format(", only {}", fmt::join(once, ", ")));
+  return all.size() <= kGlance ? all : "";
 }
 
 std::string quote(std::string_view text) {

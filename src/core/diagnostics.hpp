@@ -104,17 +104,17 @@ class ConfigError : public std::runtime_error {
   Diagnostics diagnostics_;
 };
 
+/// The texts of a list, for as long as it lives.
+struct NameList : std::vector<std::string_view> {
+  template <class List>
+  NameList(const List& list) : vector(std::begin(list), std::end(list)) {}
+};
 /// "; did you mean 'x'?" for the name nearest to `wrong`, or "" when none is near. Letter case does
 /// not count, swapping two neighbors counts as one edit; the earlier name wins a tie. When none is
 /// near: the only one that `wrong` is whole words of, as "latin" of "latin_hypercube".
-[[nodiscard]] std::string did_you_mean(std::string_view wrong,
-                                       std::span<const std::string_view> names);
-[[nodiscard]] std::string did_you_mean(std::string_view wrong, std::span<const std::string> names);
+[[nodiscard]] std::string did_you_mean(std::string_view wrong, const NameList& names);
 /// Likewise, but ", only a, b, c" when none is near and all of them are read at a glance.
-[[nodiscard]] std::string nearest_or_all(std::string_view wrong,
-                                         std::span<const std::string_view> names);
-[[nodiscard]] std::string nearest_or_all(std::string_view wrong,
-                                         std::span<const std::string> names);
+[[nodiscard]] std::string nearest_or_all(std::string_view wrong, const NameList& names);
 
 /// The names of some things, for these: `nearest_or_all(wrong, listed(measures, &Measure::name))`.
 template <class Things, class Name>
