@@ -67,16 +67,6 @@ std::string format_scalar(const FieldInfo& info, const std::byte* row, std::uint
   });
 }
 
-std::string format_scalar(const FieldInfo& info, const std::byte* row) {
-  if (info.count == 1)
-    return format_scalar(info, row, 0);
-  const bool packed = info.type == Scalar::bytes;
-  std::string text;
-  for (std::uint32_t i = 0; i < info.count; ++i)
-    text += (i == 0 || packed ? "" : ", ") + format_scalar(info, row, i);
-  return packed ? text : "[" + text + "]";
-}
-
 double scalar_value(const FieldInfo& info, const std::byte* row, std::uint32_t index) {
   return with_scalar(info, row, index, [](auto value) { return static_cast<double>(value); });
 }

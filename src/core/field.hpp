@@ -12,12 +12,13 @@
 ///     }
 ///   };
 ///
-/// field() takes scalars, enums, ids, Vec3, Mat3, nested rows, and arrays (std or C) of
-/// these. Arrays of scalars stay one field with a count; all else becomes one field per scalar,
-/// with names such as "position.x" or "tracks[3].range".
+/// field() takes scalars, enums, ids, Vec3, nested rows, and arrays (std or C) of these. Arrays of
+/// scalars stay one field with a count; all else becomes one field per scalar, with names such as
+/// "position.x" or "tracks[3].range".
 #include <fmt/format.h>
 
 #include <optional>
+#include <ranges>
 
 #include "core/enum_names.hpp"
 #include "core/id.hpp"
@@ -66,9 +67,6 @@ class FieldName {
     while (count > 0)
       result.push(digits[--count]);
     return result + "]";
-  }
-  friend constexpr bool operator==(const FieldName& a, const FieldName& b) {
-    return a.view() == b.view();
   }
   template <std::convertible_to<std::string_view> Text>
   friend constexpr bool operator==(const FieldName& a, const Text& b) {
@@ -122,21 +120,13 @@ constexpr std::uint32_t offset_of(Member Row::*member) {
   return sizeof(Row);
 }
 
+/// How many elements an array has; 0 for what is none.
 template <class T>
-struct ArrayOf {
-  using element = void;
-  static constexpr std::size_t size = 0;
-};
+inline constexpr std::size_t array_size = 0;
 template <class T, std::size_t N>
-struct ArrayOf<std::array<T, N>> {
-  using element = T;
-  static constexpr std::size_t size = N;
-};
+inline constexpr std::size_t array_size<std::array<T, N>> = N;
 template <class T, std::size_t N>
-struct ArrayOf<T[N]> {
-  using element = T;
-  static constexpr std::size_t size = N;
-};
+inline constexpr std::size_t array_size<T[N]> = N;
 
 template <class T>
 inline constexpr bool is_id = false;
@@ -180,56 +170,24 @@ constexpr FieldInfo scalars(FieldName name, std::uint32_t offset, std::uint32_t 
   return info;
 }
 
-/// The members of the aggregates of core/vec.hpp, which cannot describe themselves.
-template <class T>
-struct Parts;
-template <>
-struct Parts<Vec3> {
-  static constexpr auto list() {
-    return std::array{std::pair{".x", &Vec3::x}, std::pair{".y", &Vec3::y},
-                      std::pair{".z", &Vec3::z}};
-  }
-};
-template <>
-struct Parts<Mat3> {
-  static constexpr auto list() {
-    return std::array{std::pair{".row_x", &Mat3::row_x}, std::pair{".row_y", &Mat3::row_y},
-                      std::pair{".row_z", &Mat3::row_z}};
-  }
-};
-
-template <class T, class Member>
-constexpr auto member_type(Member T::*) -> Member;
-
 /// Every scalar of a `T` at `offset`, as std::array<FieldInfo, N>.
 template <class T>
-constexpr auto flatten(FieldName name, std::uint32_t offset, std::string_view unit);
-
-/// The same for `Count` of them, one after the other; `name_of(i)` names them.
-template <class T, std::size_t Count, class NameOf, class OffsetOf>
-constexpr auto flatten_each(NameOf name_of, OffsetOf offset_of_part, std::string_view unit) {
-  constexpr std::size_t kEach = decltype(flatten<T>("", 0u, "")){}.size();
-  std::array<FieldInfo, kEach * Count> result{};
-  for (std::size_t i = 0; i < Count; ++i) {
-    const auto part = flatten<T>(name_of(i), offset_of_part(i), unit);
-    for (std::size_t k = 0; k < kEach; ++k)
-      result[i * kEach + k] = part[k];
-  }
-  return result;
-}
-
-template <class T>
 constexpr auto flatten(FieldName name, std::uint32_t offset, std::string_view unit) {
-  using Element = typename ArrayOf<T>::element;
   if constexpr (is_one_scalar<T>) {
     return std::array{scalars<T>(name, offset, 1, unit)};
-  } else if constexpr (is_one_scalar<Element>) {
-    return std::array{scalars<Element>(name, offset, ArrayOf<T>::size, unit)};
-  } else if constexpr (ArrayOf<T>::size != 0) {
-    return flatten_each<Element, ArrayOf<T>::size>(
-        [&](std::size_t i) { return name[i]; },
-        [&](std::size_t i) { return static_cast<std::uint32_t>(offset + i * sizeof(Element)); },
-        unit);
+  } else if constexpr (array_size<T> != 0) {
+    using Element = std::ranges::range_value_t<T>;
+    if constexpr (is_one_scalar<Element>) {
+      return std::array{scalars<Element>(name, offset, array_size<T>, unit)};
+    } else {
+      constexpr std::size_t kEach = decltype(flatten<Element>(name, offset, unit)){}.size();
+      std::array<FieldInfo, kEach * array_size<T>> result{};
+      for (std::size_t i = 0, next = 0; i < array_size<T>; ++i)
+        for (const FieldInfo& info : flatten<Element>(
+                 name[i], static_cast<std::uint32_t>(offset + i * sizeof(Element)), unit))
+          result[next++] = info;
+      return result;
+    }
   } else if constexpr (HasFields<T>) {
     auto result = T::fields();
     for (FieldInfo& info : result) {
@@ -238,11 +196,10 @@ constexpr auto flatten(FieldName name, std::uint32_t offset, std::string_view un
     }
     return result;
   } else {
-    constexpr auto kParts = Parts<T>::list();
-    using Part = decltype(member_type(kParts[0].second));
-    return flatten_each<Part, kParts.size()>(
-        [&](std::size_t i) { return name + kParts[i].first; },
-        [&](std::size_t i) { return offset + offset_of(kParts[i].second); }, unit);
+    static_assert(std::is_same_v<T, Vec3>, "a row has scalars, Vec3, rows, and arrays of these");
+    return std::array{scalars<double>(name + ".x", offset + offset_of(&Vec3::x), 1, unit),
+                      scalars<double>(name + ".y", offset + offset_of(&Vec3::y), 1, unit),
+                      scalars<double>(name + ".z", offset + offset_of(&Vec3::z), 1, unit)};
   }
 }
 
@@ -294,13 +251,10 @@ template <HasFields Row>
   return detail::kFields<Row>;
 }
 
-/// A field of the row that starts at `row`, exactly: numbers in their shortest form that reads back
-/// to the same bits, enums by name, several scalars as "[1, 2]", bytes as hexadecimal.
-[[nodiscard]] std::string format_scalar(const FieldInfo& info, const std::byte* row);
-
-/// Only the scalar number `index` of a field.
+/// A scalar of the row that starts at `row`, exactly: numbers in their shortest form that reads
+/// back to the same bits, enums by name, bytes as hexadecimal.
 [[nodiscard]] std::string format_scalar(const FieldInfo& info, const std::byte* row,
-                                        std::uint32_t index);
+                                        std::uint32_t index = 0);
 
 /// The scalar as a double (64-bit integers beyond 2^53 are rounded).
 [[nodiscard]] double scalar_value(const FieldInfo& info, const std::byte* row,
