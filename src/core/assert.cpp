@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/assert.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 namespace eyrie::detail {
@@ -28,15 +29,7 @@ void assertion_failed(const char* condition, const char* words, const char* file
 }
 
 void misuse(const char* condition, const char* words, const char* file, int line) {
-  std::string text(short_path(file));
-  text += ':';
-  text += std::to_string(line);
-  text += ": ";
-  text += words;
-  text += " (";
-  text += condition;
-  text += ')';
-  throw std::logic_error(text);
+  throw std::logic_error(fmt::format("{}:{}: {} ({})", short_path(file), line, words, condition));
 }
 
 }  // namespace eyrie::detail

@@ -100,10 +100,6 @@ double atan2_of_one(double y, double x);
 /// low bits of the sum.
 inline constexpr double kRounder = 0x1.8p52;
 
-}  // namespace detail
-
-namespace detail {
-
 /// x less its nearest whole number of quarter turns, |x| <= 2^20, and sine and cosine of that, each
 /// with what the last rounding took away.
 template <class Real>

@@ -11,18 +11,8 @@
 namespace eyrie::detail {
 
 template <class T>
-struct ElementOf {};
-template <class T>
-struct ElementOf<std::optional<T>> {
-  using type = T;
-};
-template <class T>
-struct ElementOf<std::vector<T>> {
-  using type = T;
-};
-template <class T, std::size_t N>
-struct ElementOf<std::array<T, N>> {
-  using type = T;
+struct ElementOf {
+  using type = typename T::value_type;
 };
 template <>
 struct ElementOf<Vec3> {

@@ -89,7 +89,6 @@ class Table1 {
     const std::size_t next = std::min(cell.index + 1, values_.size() - 1);
     return detail::mix(values_[cell.index], values_[next], cell.fraction);
   }
-  [[nodiscard]] const Axis& axis() const { return axis_; }
   [[nodiscard]] std::span<const double> breakpoints() const { return axis_.breakpoints(); }
   [[nodiscard]] std::span<const double> values() const { return values_; }
 

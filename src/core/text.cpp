@@ -108,15 +108,12 @@ std::optional<char32_t> look_alike(std::string_view text) {
   static constexpr Points kAlike[] = {{0xA0, 0xA0},     {0x2000, 0x200A}, {0x2010, 0x2013},
                                       {0x202F, 0x202F}, {0x205F, 0x205F}, {0x2212, 0x2212},
                                       {0x3000, 0x3000}};
-  constexpr Points kGreekAndCyrillic{0x370, 0x52F};
+  static constexpr Points kGreekAndCyrillic[] = {{0x370, 0x52F}};
   const bool has_ours = std::ranges::any_of(text, is_letter);
   while (!text.empty()) {
     const Utf8 next = first_character(text);
-    const auto is_in = [&](const Points& points) {
-      return next.point >= points.first && next.point <= points.last;
-    };
     if (next.length > 0 &&
-        (std::ranges::any_of(kAlike, is_in) || (has_ours && is_in(kGreekAndCyrillic))))
+        (is_in(kAlike, next.point) || (has_ours && is_in(kGreekAndCyrillic, next.point))))
       return next.point;
     text.remove_prefix(std::max<std::size_t>(next.length, 1));
   }

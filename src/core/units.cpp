@@ -287,10 +287,9 @@ Parsed parse_quantity(std::string_view text, Dimension expected) {
 }
 
 std::string format_in(double si, UnitName unit, int decimals) {
-  const std::string number = fmt::format("{:.{}f}", from_si(si, unit.info()), decimals);
-  const bool minus_zero = number[0] == '-' && number.find_first_not_of("-0.") == number.npos;
   const std::string_view symbol = unit.info().symbol;
-  return fmt::format("{}{}{}", std::string_view(number).substr(minus_zero ? 1 : 0),
+  return fmt::format("{}{}{}",
+                     without_minus_zero(fmt::format("{:.{}f}", from_si(si, unit.info()), decimals)),
                      symbol.starts_with("°") ? "" : " ", symbol);
 }
 
