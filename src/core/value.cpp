@@ -54,6 +54,15 @@ Value* Value::find(std::string_view key) {
   return const_cast<Value*>(std::as_const(*this).find(key));
 }
 
+std::size_t Value::count() const {
+  std::size_t sum = 1;
+  for (const Value& item : items)
+    sum += item.count();
+  for (const Entry& entry : entries)
+    sum += entry.value.count();
+  return sum;
+}
+
 std::string Value::shown() const {
   switch (kind) {
     case Kind::null:

@@ -39,6 +39,12 @@ struct Value {
     return value ? value->where : where;
   }
 
+  /// How many values it is, with all below it.
+  [[nodiscard]] std::size_t count() const;
+  /// The items of a list; of anything else itself: for what may be said once or several times.
+  [[nodiscard]] std::span<const Value> as_list() const {
+    return is_list() ? std::span(items) : std::span(this, 1);
+  }
   /// What stands here, for an error: "nothing", "a list", "a map" or the quoted scalar.
   [[nodiscard]] std::string shown() const;
 };

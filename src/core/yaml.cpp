@@ -214,17 +214,8 @@ class Builder {
       count(where, 1);
       return key(v.text, v.quoted, v.where);
     }
-    count(where, nodes_of(v) - 1);
+    count(where, v.count() - 1);
     slot(where) = v;
-  }
-
-  static std::size_t nodes_of(const Value& v) {
-    std::size_t n = 1;
-    for (const Value& item : v.items)
-      n += nodes_of(item);
-    for (const Value::Entry& e : v.entries)
-      n += nodes_of(e.value);
-    return n;
   }
 
   void count(const Location& where, std::size_t more) {
@@ -237,7 +228,7 @@ class Builder {
   void remember(const std::string& anchor, const Value& v) {
     if (anchor.empty())
       return;
-    kept_ += nodes_of(v);
+    kept_ += v.count();
     if (kept_ > limits_.nodes)
       throw Refused{v.where, fmt::format("more than {} values below anchors", limits_.nodes)};
     anchors_[anchor] = v;

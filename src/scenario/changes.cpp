@@ -32,22 +32,15 @@ class Changer {
       : document_(document), own_(own), removed_(removed), diagnostics_(diagnostics) {}
 
   void read(const Value& own) {
-    if (const Value* changes = map(own, kInsert))
-      for (const Value::Entry& e : changes->entries)
-        add(Change::What::insert, e.key, e.where, e.value);
-    if (const Value* changes = map(own, kReplace))
-      for (const Value::Entry& e : changes->entries)
-        add(Change::What::replace, e.key, e.where, e.value);
-    if (const Value* removals = own.find(kRemove)) {
-      const std::span items =
-          removals->is_list() ? std::span(removals->items) : std::span(removals, 1);
-      for (const Value& item : items) {
+    read(own, kInsert, Change::What::insert);
+    read(own, kReplace, Change::What::replace);
+    if (const Value* removals = own.find(kRemove))
+      for (const Value& item : removals->as_list()) {
         if (item.is_scalar())
           add(Change::What::remove, item.text, item.where, {});
         else
           error(item.where, "remove: expected a path or a list of paths, got {}", item.shown());
       }
-    }
   }
 
   void make() {
@@ -75,12 +68,15 @@ class Changer {
     diagnostics_.error(where, "{}", fmt::format(words, std::forward<T>(values)...));
   }
 
-  const Value* map(const Value& own, std::string_view key) {
+  void read(const Value& own, std::string_view key, Change::What what) {
     const Value* changes = own.find(key);
-    if (!changes || changes->is_map())
-      return changes;
-    error(changes->where, "{}: expected a map from paths to values, got {}", key, changes->shown());
-    return nullptr;
+    if (!changes)
+      return;
+    if (!changes->is_map())
+      return error(changes->where, "{}: expected a map from paths to values, got {}", key,
+                   changes->shown());
+    for (const Value::Entry& e : changes->entries)
+      add(what, e.key, e.where, e.value);
   }
 
   void add(Change::What what, const std::string& written, const Location& where,

@@ -28,15 +28,6 @@ bool is_mergeable(std::string_view key) {
   return std::ranges::find(kMergeable, key) != kMergeable.end();
 }
 
-std::size_t values_in(const Value& v) {
-  std::size_t count = 1;
-  for (const Value& item : v.items)
-    count += values_in(item);
-  for (const Value::Entry& e : v.entries)
-    count += values_in(e.value);
-  return count;
-}
-
 /// Adds what included files hold to the document, and before that the scenario's own words to what
 /// it extends. It remembers where each key stands, so that many files with many names cost no more
 /// than their sum.
@@ -257,7 +248,7 @@ class Composer {
     Value document = parse_yaml(*text, file, diagnostics_);
     if (document.is_null() && diagnostics_.count() != before)
       return {};
-    values_ += values_in(document);
+    values_ += document.count();
     if (values_ > kMostValues) {
       stopped_ = true;
       return none(diagnostics_.error(from, "with {} the scenario has more than {} values",
@@ -272,15 +263,11 @@ class Composer {
   }
 
   void follow(const Value& include, const std::string& file, Merger& merger) {
-    if (include.is_list()) {
-      for (const Value& item : include.items)
-        one(item, file, merger);
-    } else if (include.is_scalar()) {
-      one(include, file, merger);
-    } else {
-      diagnostics_.error(include.where,
-                         "include: expected a file or a list of files, got " + include.shown());
-    }
+    if (!include.is_list() && !include.is_scalar())
+      return void(diagnostics_.error(
+          include.where, "include: expected a file or a list of files, got " + include.shown()));
+    for (const Value& item : include.as_list())
+      one(item, file, merger);
   }
 
   void one(const Value& item, const std::string& file, Merger& merger) {

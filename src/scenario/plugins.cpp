@@ -92,32 +92,18 @@ void load_plugins(const LoadRequest& request, Plugins& plugins, Source& source,
       diagnostics.error({}, std::move(problem));
 }
 
-void load_plugins(std::span<const std::string> paths, Plugins& plugins, Source& source,
-                  Diagnostics& diagnostics) {
-  for (const std::string& path : paths)
-    for (std::string& problem : plugins.load(path, source))
-      diagnostics.error({"--plugin " + path, 0, 0}, std::move(problem));
-}
-
 void load_plugins(const Value& key, const PluginPermission& permission, Plugins& plugins,
                   Source& source, Diagnostics& diagnostics) {
-  const auto load = [&](const Value& item) {
-    if (!item.is_scalar())
-      return void(diagnostics.error(item.where, "plugins: expected a file, got {}", item.shown()));
-    if (source.is_bundle())
-      return;
-    // what --set names is meant as it was typed
-    const bool typed = item.where.file.text().starts_with("--set ");
-    const std::string path = typed ? item.text : relative_to(item.where.file.text(), item.text);
-    for (const std::string& problem : plugins.load(path, source, &permission))
-      diagnostics.error(item.where, "plug-in {}: {}", quote(item.text), problem);
-  };
-  if (key.is_list())
-    std::ranges::for_each(key.items, load);
-  else if (key.is_scalar())
-    load(key);
-  else
+  if (!key.is_list() && !key.is_scalar())
     diagnostics.error(key.where, "plugins: expected a file or a list of files, got " + key.shown());
+  else
+    for (const Value& item : key.as_list()) {
+      if (!item.is_scalar())
+        diagnostics.error(item.where, "plugins: expected a file, got {}", item.shown());
+      else if (!source.is_bundle())
+        for (const std::string& problem : plugins.load(file_named(item), source, &permission))
+          diagnostics.error(item.where, "plug-in {}: {}", quote(item.text), problem);
+    }
 }
 
 disk::FileRead read_plugin_file(const std::string& path) {
