@@ -77,7 +77,7 @@ int catalog(const CatalogOptions& options) {
   scenario::Source source = scenario::Source::disk(home());
   scenario::Plugins plugins;
   Diagnostics wrong;
-  scenario::load_plugins(options.plugins, plugins, source, wrong);
+  scenario::load_plugins({.file = {}, .plugins = options.plugins}, plugins, source, wrong);
   wrong.throw_if_any();
   const scenario::Catalog all = scenario::make_catalog(source, plugins);
   if (!options.node.empty()) {

@@ -86,7 +86,9 @@ void Plugins::tell(Scenario& scenario) const {
 
 void load_plugins(const LoadRequest& request, Plugins& plugins, Source& source,
                   Diagnostics& diagnostics) {
-  load_plugins(request.plugins, plugins, source, diagnostics);
+  for (const std::string& path : request.plugins)
+    for (std::string& problem : plugins.load(path, source))
+      diagnostics.error({"--plugin " + path, 0, 0}, std::move(problem));
   if (request.add)
     for (std::string& problem : plugins.add(request.add))
       diagnostics.error({}, std::move(problem));

@@ -44,10 +44,7 @@ class Plugins {
 [[nodiscard]] std::vector<std::string> name_problems(const Registries& registries,
                                                      std::string_view origin);
 
-/// Loads what the command line names.
-void load_plugins(std::span<const std::string> paths, Plugins& plugins, Source& source,
-                  Diagnostics& diagnostics);
-/// Loads and adds what a request names.
+/// Loads and adds what a request names, as the command line does.
 void load_plugins(const LoadRequest& request, Plugins& plugins, Source& source,
                   Diagnostics& diagnostics);
 /// Loads what `plugins:` of a document names: one file or a list, relative to the file that says
