@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  trust: the plug-ins that scenarios and run files may name without --plugin.
-#include "scenario/trust.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

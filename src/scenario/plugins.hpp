@@ -7,7 +7,6 @@
 #include "scenario/plugin_file.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/source.hpp"
-#include "scenario/trust.hpp"
 
 namespace eyrie::scenario {
 

@@ -13,7 +13,6 @@
 #include "scenario/source.hpp"
 #include "scenario/spec.hpp"
 #include "scenario/spread.hpp"
-#include "scenario/trust.hpp"
 #include "sim/event.hpp"
 #include "sim/simulation.hpp"
 #include "sim/world.hpp"

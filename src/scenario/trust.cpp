@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "scenario/trust.hpp"
-
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "scenario/plugin_file.hpp"
 #include "scenario/plugins.hpp"
 #include "scenario/scenario.hpp"
-#include "scenario/trust.hpp"
 #include "support/plugin.hpp"
 #include "support/program.hpp"
 
