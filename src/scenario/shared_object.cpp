@@ -50,40 +50,44 @@ constexpr std::array<std::int64_t, 4> kTexts{DT_NEEDED, DT_SONAME, DT_RPATH, DT_
 /// Among the names of its symbols is that of what EYRIE_PLUGIN exports, with its end.
 constexpr std::string_view kExported("eyrie_plugin", sizeof "eyrie_plugin");
 
+/// Ends the check.
+struct Refused {
+  std::string why;
+};
+[[noreturn]] void refuse(std::string why) {
+  throw Refused{std::move(why)};
+}
+[[noreturn]] void damaged(const char* what) {
+  refuse(fmt::format("it is damaged: {}", what));
+}
+
 class ElfChecker {
  public:
   explicit ElfChecker(std::string_view file) : file_(file) {}
 
-  std::string problem() {
-    if (!header())
-      return why_;
-    if (!segments() || !sections())
-      return why_;
-    static_cast<void>(dynamic());
-    return why_;
+  void check() {
+    header();
+    segments();
+    sections();
+    dynamic();
+    texts();
   }
 
  private:
-  bool refuse(std::string why) {
-    why_ = std::move(why);
-    return false;
-  }
-  bool damaged(const char* what) { return refuse(fmt::format("it is damaged: {}", what)); }
-
   template <class T>
   [[nodiscard]] T read(std::uint64_t at) const {
     T value;
     std::memcpy(&value, file_.data() + at, sizeof value);
     return value;
   }
-  /// Whether [offset, offset + size) is in the file; if not, it was cut.
-  bool inside(std::uint64_t offset, std::uint64_t size) {
+  /// Refuses a file that [offset, offset + size) is not in: it was cut.
+  void demand(std::uint64_t offset, std::uint64_t size) const {
     if (offset <= file_.size() && size <= file_.size() - offset)
-      return true;
+      return;
     if (offset > kLargestAddress || size > kLargestAddress)
-      return damaged("it says that it is larger than any library");
-    return refuse(fmt::format("it is cut short: it has {} bytes of at least {}", file_.size(),
-                              offset + size));
+      damaged("it says that it is larger than any library");
+    refuse(fmt::format("it is cut short: it has {} bytes of at least {}", file_.size(),
+                       offset + size));
   }
   /// The place in the file of what will stand at an address; nothing if it is not in a segment.
   [[nodiscard]] std::optional<std::uint64_t> place(std::uint64_t address,
@@ -95,74 +99,68 @@ class ElfChecker {
     return std::nullopt;
   }
 
-  bool header() {
+  void header() {
     if (!file_.starts_with(std::string_view(ELFMAG, SELFMAG)))
-      return refuse("it is not a shared library");
-    if (!inside(0, sizeof(ElfHeader)))
-      return false;
+      refuse("it is not a shared library");
+    demand(0, sizeof(ElfHeader));
     header_ = read<ElfHeader>(0);
     const bool ours = header_.e_ident[EI_CLASS] == (sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32) &&
                       header_.e_ident[EI_DATA] ==
                           (std::endian::native == std::endian::little ? ELFDATA2LSB : ELFDATA2MSB);
     if (!ours || (kMachine != EM_NONE && header_.e_machine != kMachine))
-      return refuse("it was built for another kind of machine");
+      refuse("it was built for another kind of machine");
     if (header_.e_ident[EI_VERSION] != EV_CURRENT || header_.e_version != EV_CURRENT)
-      return damaged("no such version of its format exists");
+      damaged("no such version of its format exists");
     if (header_.e_type != ET_DYN)
-      return refuse("it is not a shared library");
-    return true;
+      refuse("it is not a shared library");
   }
 
-  bool segments() {
+  void segments() {
     if (header_.e_phentsize != sizeof(ElfSegment) || header_.e_phnum == 0 ||
         header_.e_phnum == PN_XNUM)
-      return damaged("its list of segments makes no sense");
-    if (!inside(header_.e_phoff, std::uint64_t{header_.e_phnum} * sizeof(ElfSegment)))
-      return false;
+      damaged("its list of segments makes no sense");
+    demand(header_.e_phoff, std::uint64_t{header_.e_phnum} * sizeof(ElfSegment));
     std::uint64_t end = 0;
     for (unsigned i = 0; i < header_.e_phnum; ++i) {
       const auto s = read<ElfSegment>(header_.e_phoff + i * sizeof(ElfSegment));
       if (s.p_type == PT_NULL)
         continue;
-      if (!inside(s.p_offset, s.p_filesz))
-        return false;
+      demand(s.p_offset, s.p_filesz);
       if (s.p_vaddr > kLargestAddress || s.p_memsz > kLargestAddress)
-        return damaged("a segment is larger than any library");
+        damaged("a segment is larger than any library");
       if (s.p_type == PT_DYNAMIC)
         dynamic_ = s;
       if (s.p_type != PT_LOAD)
         continue;
       if (s.p_filesz > s.p_memsz || (s.p_align & (s.p_align - 1)) != 0 ||
           (s.p_align > 1 && (s.p_vaddr - s.p_offset) % s.p_align != 0))
-        return damaged("a segment does not fit into memory");
+        damaged("a segment does not fit into memory");
       if (s.p_vaddr < end)
-        return damaged("its segments overlap");
+        damaged("its segments overlap");
       end = s.p_vaddr + s.p_memsz;
       loaded_.push_back(s);
     }
     if (loaded_.empty() || !dynamic_)
-      return refuse("it is not a shared library");
-    return true;
+      refuse("it is not a shared library");
   }
 
-  bool sections() {
+  void sections() const {
     if (header_.e_shoff == 0)
-      return true;
+      return;
     if (header_.e_shentsize != sizeof(ElfSection))
-      return damaged("its list of sections makes no sense");
-    if (!inside(header_.e_shoff, sizeof(ElfSection)))
-      return false;
+      damaged("its list of sections makes no sense");
+    demand(header_.e_shoff, sizeof(ElfSection));
     // more of them than fit into the header are counted in the first
     const std::uint64_t count =
         header_.e_shnum ? header_.e_shnum : read<ElfSection>(header_.e_shoff).sh_size;
-    if (count > file_.size() || !inside(header_.e_shoff, count * sizeof(ElfSection)))
-      return why_.empty() ? damaged("its list of sections makes no sense") : false;
+    if (count > file_.size())
+      damaged("its list of sections makes no sense");
+    demand(header_.e_shoff, count * sizeof(ElfSection));
     for (std::uint64_t i = 1; i < count; ++i) {
       const auto s = read<ElfSection>(header_.e_shoff + i * sizeof(ElfSection));
-      if (s.sh_type != SHT_NOBITS && s.sh_type != SHT_NULL && !inside(s.sh_offset, s.sh_size))
-        return false;
+      if (s.sh_type != SHT_NOBITS && s.sh_type != SHT_NULL)
+        demand(s.sh_offset, s.sh_size);
     }
-    return true;
   }
 
   /// What the dynamic segment says of a tag, if it says anything.
@@ -173,47 +171,44 @@ class ElfChecker {
     return std::nullopt;
   }
 
-  bool dynamic() {
+  void dynamic() {
     const auto at = place(dynamic_->p_vaddr, dynamic_->p_filesz);
     if (!at || *at != dynamic_->p_offset)
-      return damaged("its dynamic segment is not part of what is loaded");
+      damaged("its dynamic segment is not part of what is loaded");
     bool ended = false;
     for (std::uint64_t i = 0; !ended && (i + 1) * sizeof(ElfDynamic) <= dynamic_->p_filesz; ++i) {
       entries_.push_back(read<ElfDynamic>(*at + i * sizeof(ElfDynamic)));
       ended = entries_.back().d_tag == DT_NULL;
     }
     if (!ended)
-      return damaged("its dynamic segment has no end");
+      damaged("its dynamic segment has no end");
     if (said(DT_FLAGS_1).value_or(0) & DF_1_PIE)
-      return refuse("it is a program, not a shared library");
+      refuse("it is a program, not a shared library");
     for (const ElfTable& table : kTables)
       if (const auto address = said(table.address))
         if (!place(*address, said(table.size).value_or(0)))
-          return damaged("a table of its dynamic segment lies outside");
+          damaged("a table of its dynamic segment lies outside");
     for (const std::int64_t tag : kUnsized)
       if (const auto address = said(tag); address && !place(*address, 1))
-        return damaged("a table of its dynamic segment lies outside");
-    return texts();
+        damaged("a table of its dynamic segment lies outside");
   }
 
-  bool texts() {
+  void texts() const {
     const std::uint64_t size = said(DT_STRSZ).value_or(0);
     const auto begin = said(DT_STRTAB);
     const auto at = begin ? place(*begin, size) : std::nullopt;
     if (!at || size == 0 || !said(DT_SYMTAB))
-      return damaged("it has no names");
+      damaged("it has no names");
     if (file_[*at + size - 1] != '\0')
-      return damaged("its names have no end");
+      damaged("its names have no end");
     for (const ElfDynamic& d : entries_)
       if (std::ranges::find(kTexts, d.d_tag) != kTexts.end() && d.d_un.d_val >= size)
-        return damaged("one of its names lies outside");
+        damaged("one of its names lies outside");
     if (file_.substr(*at, size).find(kExported) == file_.npos)
-      return refuse("it is not a plug-in: there is no EYRIE_PLUGIN in it");
-    return true;
+      refuse("it is not a plug-in: there is no EYRIE_PLUGIN in it");
   }
 
   std::string_view file_;
-  std::string why_;
   ElfHeader header_{};
   std::vector<ElfSegment> loaded_;
   std::optional<ElfSegment> dynamic_;
@@ -223,7 +218,12 @@ class ElfChecker {
 }  // namespace
 
 std::string shared_object_problem(std::string_view file) {
-  return ElfChecker(file).problem();
+  try {
+    ElfChecker(file).check();
+  } catch (const Refused& refused) {
+    return refused.why;
+  }
+  return {};
 }
 
 }  // namespace eyrie::scenario
