@@ -97,7 +97,7 @@ model::MissileType loaded(const std::string& name, scenario::Source& source) {
   model::Library library;
   Diagnostics wrong;
   scenario::DataLoader loader(library, nullptr, source, wrong);
-  const auto index = loader.missile(name, {});
+  const auto index = loader.load<model::MissileType>(name, {});
   if (!index || !wrong.ok())
     throw ConfigError(wrong);
   return library.missiles[*index];

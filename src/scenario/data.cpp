@@ -243,16 +243,11 @@ void DataLoader::complete(Model& model, const Value& document) {
       model.prepare();
 }
 
-std::optional<std::uint16_t> DataLoader::aircraft(const std::string& name, const Location& where) {
-  return load<model::AircraftType>(name, where);
-}
-
-std::optional<std::uint16_t> DataLoader::vehicle(const std::string& name, const Location& where) {
-  return load<model::VehicleType>(name, where);
-}
-
-std::optional<std::uint16_t> DataLoader::missile(const std::string& name, const Location& where) {
-  return load<model::MissileType>(name, where);
-}
+template std::optional<std::uint16_t> DataLoader::load<model::AircraftType>(const std::string&,
+                                                                            const Location&);
+template std::optional<std::uint16_t> DataLoader::load<model::VehicleType>(const std::string&,
+                                                                           const Location&);
+template std::optional<std::uint16_t> DataLoader::load<model::MissileType>(const std::string&,
+                                                                           const Location&);
 
 }  // namespace eyrie::scenario

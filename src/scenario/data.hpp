@@ -58,9 +58,8 @@ class DataLoader {
 
   /// The index of a type with everything that it is put together from. Nothing if there
   /// is a mistake, which is then in the diagnostics: `where` is who asked.
-  std::optional<std::uint16_t> aircraft(const std::string& name, const Location& where);
-  std::optional<std::uint16_t> vehicle(const std::string& name, const Location& where);
-  std::optional<std::uint16_t> missile(const std::string& name, const Location& where);
+  template <Described Model>
+  std::optional<std::uint16_t> load(const std::string& name, const Location& where);
 
   /// Reads every model of a plug-in, so that its mistakes do not wait for the day it is flown.
   /// Nothing of it stays.
@@ -73,8 +72,6 @@ class DataLoader {
   /// The document of a model with its bases merged in, or nothing after a mistake.
   std::optional<Value> document(std::string_view kind, const std::string& name,
                                 const Location& where, std::vector<std::string>& chain);
-  template <Described Model>
-  std::optional<std::uint16_t> load(const std::string& name, const Location& where);
   /// What a model is put together from, looked up in its document, and what is made of it.
   template <Described Model>
   void complete(Model& model, const Value& document);

@@ -64,7 +64,7 @@ TEST(Data, OfAnyKindIsKnownByItsWords) {
 
 TEST(Data, PutsAnAircraftWithAllItsPartsOnTheShelves) {
   Loading data(Loading::shipped());
-  const auto index = data->aircraft("f15c", kAsker);
+  const auto index = data->load<model::AircraftType>("f15c", kAsker);
   ASSERT_TRUE(index) << data.mistakes();
   const model::AircraftType& type = data.library.aircraft[*index];
   EXPECT_EQ(data.library.aircraft.name(*index), "f15c");
@@ -74,7 +74,7 @@ TEST(Data, PutsAnAircraftWithAllItsPartsOnTheShelves) {
   EXPECT_EQ(data.library.guns.name(*type.index.gun), *type.gun);
   for (const model::StationFit& station : type.stations)
     EXPECT_TRUE(data.library.missiles.find(station.store)) << station.store;
-  EXPECT_EQ(data->aircraft("f15c", kAsker), index) << "one model under one name";
+  EXPECT_EQ(data->load<model::AircraftType>("f15c", kAsker), index) << "one model under one name";
   EXPECT_EQ(data.library.aircraft.size(), 1u);
 }
 
@@ -82,13 +82,13 @@ TEST(Data, ReadsEveryShippedFile) {
   Loading data(Loading::shipped(),
                "aircraft: {towing: {base: mig29, dispenser: towed_decoys}}\n");  // as duel_defense
   Source disk = Source::disk(".");
-  EXPECT_TRUE(data->aircraft("towing", kAsker)) << data.mistakes();
+  EXPECT_TRUE(data->load<model::AircraftType>("towing", kAsker)) << data.mistakes();
   for (const std::string& name : disk.data_names("aircraft"))
-    EXPECT_TRUE(data->aircraft(name, kAsker)) << data.mistakes();
+    EXPECT_TRUE(data->load<model::AircraftType>(name, kAsker)) << data.mistakes();
   for (const std::string& name : disk.data_names("missiles"))
-    EXPECT_TRUE(data->missile(name, kAsker)) << data.mistakes();
+    EXPECT_TRUE(data->load<model::MissileType>(name, kAsker)) << data.mistakes();
   for (const std::string& name : disk.data_names("vehicles"))
-    EXPECT_TRUE(data->vehicle(name, kAsker)) << data.mistakes();
+    EXPECT_TRUE(data->load<model::VehicleType>(name, kAsker)) << data.mistakes();
   // nothing lies about that no aircraft and no vehicle is made of
   for (const auto& [kind, shelf] :
        std::map<std::string_view, std::size_t>{{"airframes", data.library.airframes.size()},
@@ -108,9 +108,9 @@ TEST(Data, TakesFromItsBaseWhatAModelDoesNotSay) {
   Loading data(Loading::shipped(),
                "aircraft: {mine: {base: f15c, label: Mine, radar: far}}\n"
                "radars: {far: {base: apg63, gimbal: 50 deg}}\n");
-  const auto mine = data->aircraft("mine", kAsker);
+  const auto mine = data->load<model::AircraftType>("mine", kAsker);
   ASSERT_TRUE(mine) << data.mistakes();
-  const auto f15c = data->aircraft("f15c", kAsker);
+  const auto f15c = data->load<model::AircraftType>("f15c", kAsker);
   const auto& shelf = data.library.aircraft;
   EXPECT_EQ(shelf[*mine].label, "Mine");
   EXPECT_EQ(shelf[*mine].airframe, shelf[*f15c].airframe);
@@ -125,8 +125,8 @@ TEST(Data, TakesFromItsBaseWhatAModelDoesNotSay) {
 TEST(Data, MergesGroupsKeyByKeyAndReplacesLists) {
   Loading data(Loading::shipped(),
                "aircraft: {mine: {base: f15c, signature: {rcs_front: 1 m2}, stations: []}}\n");
-  const auto mine = data->aircraft("mine", kAsker);
-  const auto f15c = data->aircraft("f15c", kAsker);
+  const auto mine = data->load<model::AircraftType>("mine", kAsker);
+  const auto f15c = data->load<model::AircraftType>("f15c", kAsker);
   ASSERT_TRUE(mine && f15c) << data.mistakes();
   const auto& shelf = data.library.aircraft;
   EXPECT_EQ(shelf[*mine].signature.rcs_front, 1);
@@ -137,16 +137,16 @@ TEST(Data, MergesGroupsKeyByKeyAndReplacesLists) {
 
 TEST(Data, PrefersTheScenariosOwnModelOverAFile) {
   Loading data(Loading::shipped(), "aircraft: {f15c: {base: f16c, label: Other}}\n");
-  const auto index = data->aircraft("f15c", kAsker);
+  const auto index = data->load<model::AircraftType>("f15c", kAsker);
   ASSERT_TRUE(index) << data.mistakes();
   EXPECT_EQ(data.library.aircraft[*index].label, "Other");
 }
 
 TEST(Data, NamesTheNearestModelItKnows) {
   Loading data(Loading::shipped(), "aircraft: {my_jet: {base: f15c}}\n");
-  EXPECT_FALSE(data->aircraft("f51c", kAsker));
-  EXPECT_FALSE(data->aircraft("my_jat", {"s", 10, 3}));
-  EXPECT_FALSE(data->missile("sparrow", {"s", 11, 3}));
+  EXPECT_FALSE(data->load<model::AircraftType>("f51c", kAsker));
+  EXPECT_FALSE(data->load<model::AircraftType>("my_jat", {"s", 10, 3}));
+  EXPECT_FALSE(data->load<model::MissileType>("sparrow", {"s", 11, 3}));
   EXPECT_EQ(data.mistakes(),
             "s:9:3: unknown aircraft 'f51c'; did you mean 'f15c'?\n"
             "s:10:3: unknown aircraft 'my_jat'; did you mean 'my_jet'?\n"
@@ -155,8 +155,8 @@ TEST(Data, NamesTheNearestModelItKnows) {
 
 TEST(Data, NeverLeavesItsFolder) {
   Loading data(Files{{"data/aircraft/../radars/apg63.yaml", "label: x\n"}});
-  EXPECT_FALSE(data->aircraft("../radars/apg63", kAsker));
-  EXPECT_FALSE(data->aircraft("", {"s", 10, 3}));
+  EXPECT_FALSE(data->load<model::AircraftType>("../radars/apg63", kAsker));
+  EXPECT_FALSE(data->load<model::AircraftType>("", {"s", 10, 3}));
   EXPECT_EQ(data.mistakes(),
             "s:9:3: unknown aircraft '../radars/apg63'\n"
             "s:10:3: unknown aircraft ''");

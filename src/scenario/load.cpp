@@ -112,7 +112,7 @@ class Loader {
           diagnostics_.error(player.where, "{}: which vehicle? Neither it nor its convoy says",
                              player.name);
         else if (!player.spec.vehicle.empty())
-          data.vehicle(player.spec.vehicle, player.place("vehicle"));
+          data.load<model::VehicleType>(player.spec.vehicle, player.place("vehicle"));
       }
     for (const FlightPlan& flight : plans_.flights)
       for (const PlayerPlan& player : flight.players) {
@@ -121,12 +121,13 @@ class Loader {
                              player.name);
         if (player.spec.aircraft.empty())
           continue;
-        data.aircraft(player.spec.aircraft, player.place("aircraft"));
+        data.load<model::AircraftType>(player.spec.aircraft, player.place("aircraft"));
         const Value* said = player.said("loadout");
         for (std::size_t i = 0; player.spec.loadout && i < player.spec.loadout->size(); ++i)
           if (const std::string& store = (*player.spec.loadout)[i]; store != "none")
-            data.missile(store, said && i < said->items.size() ? said->items[i].where
-                                                               : player.place("loadout"));
+            data.load<model::MissileType>(store, said && i < said->items.size()
+                                                     ? said->items[i].where
+                                                     : player.place("loadout"));
       }
   }
 

@@ -19,7 +19,7 @@ TEST(LaunchZones, OfEveryShippedMissileAreKeptAsTheyAreFlown) {
     model::Library library;
     Diagnostics diagnostics;
     scenario::DataLoader loader(library, nullptr, source, diagnostics);
-    const auto index = loader.missile(name, {});
+    const auto index = loader.load<model::MissileType>(name, {});
     ASSERT_TRUE(index) << diagnostics.text();
     const model::MissileType& type = library.missiles[*index];
     const auto table = kept.of(type).table();
