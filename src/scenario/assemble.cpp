@@ -4,7 +4,6 @@
 #include "core/angle.hpp"
 #include "core/math.hpp"
 #include "driver/driver_system.hpp"
-#include "model/events.hpp"
 #include "model/flight/flight_system.hpp"
 #include "model/motion_check.hpp"
 #include "model/sensor/sensor_system.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 /// \file  From a library, trees and starts to a simulation and its first world.
 #include "core/diagnostics.hpp"
-#include "core/value.hpp"
 #include "model/frames.hpp"
 #include "model/weapon/stores.hpp"
 #include "scenario/player_kind.hpp"
@@ -27,7 +26,6 @@ struct Start {
   bool privileged = false;
   std::array<model::Station, model::kMaxStations> stations{};
   std::optional<Spread> spread;
-  Location where;
 };
 
 /// How one vehicle begins; in the order of the roster, behind the aircraft.

@@ -4,7 +4,6 @@
 
 #include "core/bind.hpp"
 #include "driver/driver_system.hpp"
-#include "model/events.hpp"
 #include "model/library.hpp"
 #include "model/weapon/systems.hpp"
 #include "pilot/pilot_system.hpp"
@@ -29,8 +28,7 @@ constexpr std::array<std::string_view, 11> kByHand{"extends", "insert",  "replac
 
 class Loader {
  public:
-  Loader(const LoadRequest& request, Source& source)
-      : source_(source), changes_(request.changes), may_open_(request.may_open) {
+  Loader(const LoadRequest& request, Source& source) : source_(source), request_(request) {
     load_plugins(request, plugins_, source_, diagnostics_);
     out_->file = request.file;
     out_->sets = request.sets;
@@ -46,7 +44,7 @@ class Loader {
     stop_if_wrong();
     apply_overrides(document_, out_->sets, diagnostics_);
     if (const Value* v = document_.find("plugins"))
-      load_plugins(*v, may_open_, plugins_, source_, diagnostics_);
+      load_plugins(*v, request_.may_open, plugins_, source_, diagnostics_);
     stop_if_wrong();
     std::optional<EndGuard> guard;  // their nodes are made now
     if (!plugins_.files().empty())
@@ -65,8 +63,8 @@ class Loader {
     plans_ = read_plans(document_, diagnostics_, keys);
     for (const OtherPlan& plan : plans_.others)
       kinds_[plan.kind]->read(*plan.group, plan.side, diagnostics_);
-    trees_ = TreeBook::read(document_, plans_, out_->spec.orders, plugins_.registries(), changes_,
-                            diagnostics_, &source_, kinds_);
+    trees_ = TreeBook::read(document_, plans_, out_->spec.orders, plugins_.registries(),
+                            request_.changes, diagnostics_, &source_, kinds_);
     out_->trees = trees_.pilots();
     out_->driver_trees = trees_.drivers();
     models();
@@ -131,29 +129,26 @@ class Loader {
       }
   }
 
-  /// Enters a flight or convoy with its members into the roster.
+  /// Enters a flight or convoy with its members.
   template <class Plan, class Type, class Spec>
-  model::Flight enter(const Plan& plan, std::uint8_t fleet, const model::Shelf<Type>& shelf,
-                      std::string Spec::*type) {
-    model::Flight flight{.name = plan.name, .side = plan.side};
-    Roster::Flight names{plan.name, plan.side, {}};
+  model::Flight& enter(const Plan& plan, std::uint8_t fleet, const model::Shelf<Type>& shelf,
+                       std::string Spec::*type) {
+    std::vector<Roster::Player> members;
     for (const auto& player : plan.players) {
-      const PlayerId id{static_cast<std::uint32_t>(out_->roster.players.size() + 1)};
-      flight.members.push_back(id);
-      names.members.push_back(id);
       const std::string& name = player.spec.*type;
-      const auto index = shelf.find(name);
-      out_->roster.players.push_back({player.name, name, index ? shelf[*index].label : name,
-                                      plan.side,
-                                      static_cast<std::uint16_t>(library_->flights.size()),
-                                      player.rank, fleet, index ? shelf[*index].entity_type : ""});
+      Roster::Player& member = members.emplace_back();
+      member = {.name = player.name, .type = name, .label = name, .rank = player.rank};
+      if (const auto index = shelf.find(name)) {
+        member.label = shelf[*index].label;
+        member.entity_type = shelf[*index].entity_type;
+      }
     }
-    out_->roster.flights.push_back(std::move(names));
-    return flight;
+    return scenario::enter(*out_, *library_, fleet, {.name = plan.name, .side = plan.side},
+                           members);
   }
 
   void flight(const FlightPlan& plan) {
-    model::Flight flight = enter(plan, 0, library_->aircraft, &PlayerSpec::aircraft);
+    model::Flight& flight = enter(plan, 0, library_->aircraft, &PlayerSpec::aircraft);
     route(plan, flight);
     out_->formations.push_back(plan.spec.formation);
     out_->convoys.emplace_back();
@@ -161,11 +156,10 @@ class Loader {
       flight.home = resolve(*plan.home, 0, library_->reference, plan.home_where, diagnostics_);
     for (const PlayerPlan& player : plan.players)
       start(plan, player);
-    library_->flights.push_back(std::move(flight));
   }
 
   void convoy(const ConvoyPlan& plan) {
-    model::Flight convoy = enter(plan, 1, library_->vehicles, &VehicleSpec::vehicle);
+    model::Flight& convoy = enter(plan, 1, library_->vehicles, &VehicleSpec::vehicle);
     out_->formations.emplace_back();
     out_->convoys.push_back({.gap = plan.spec.gap});
     if (plan.sound && !plan.spec.route.empty()) {
@@ -178,7 +172,6 @@ class Loader {
     }
     for (const VehiclePlan& player : plan.players)
       vehicle_starts_.push_back(start(plan, player));
-    library_->flights.push_back(std::move(convoy));
   }
 
   /// Behind the lead if it has no place of its own.
@@ -256,7 +249,6 @@ class Loader {
     if (player.sound)
       place_at_start(plan, player, begin);
     begin.privileged = player.spec.privileged;
-    begin.where = player.where;
     if (!player.spec.tree.empty())
       begin.tree = trees_.find(*out_->trees, player.spec.tree, player.place("tree"), diagnostics_);
     if (const auto type = library_->aircraft.find(player.spec.aircraft))
@@ -315,10 +307,11 @@ class Loader {
 
   void orders() {
     const Value* list = document_.find("orders");
+    const RatesSpec& rates = out_->spec.rates;
     for (const OrderSpec& order : out_->spec.orders) {
       const auto index = static_cast<std::size_t>(&order - out_->spec.orders.data());
       const Value& item = list->items[index];
-      if (step_at(order.at) >= step_at(out_->spec.until))
+      if (rates.step_at(order.at) >= rates.step_at(out_->spec.until))
         diagnostics_.error(item.where_of("at"),
                            "an order at {} is never given: the flight ends at {} (until)",
                            exact_quantity(order.at, Dimension::time),
@@ -336,13 +329,10 @@ class Loader {
         static_cast<void>(trees_.find(*out_->trees, *order.swap_tree, where, diagnostics_));
     }
   }
-  [[nodiscard]] std::uint64_t step_at(double time) const {
-    return static_cast<std::uint64_t>(time * out_->spec.rates.kinematics + 0.5);
-  }
   void give(const OrderSpec& order, PlayerId who, const Location& where) {
     if (out_->roster.find(who)->remote)
       return;  // by the program that flies it
-    const std::uint64_t step = step_at(order.at);
+    const std::uint64_t step = out_->spec.rates.step_at(order.at);
     if (order.lose)
       return out_->orders.push_back(model::weapon::lose_order(step, who));
     const auto& name = *order.swap_tree;
@@ -377,8 +367,7 @@ class Loader {
   }
 
   Source& source_;
-  const std::vector<TreeChange>& changes_;
-  const PluginPermission& may_open_;
+  const LoadRequest& request_;
   Plugins plugins_;
   Diagnostics diagnostics_;
   Value document_;

@@ -19,10 +19,6 @@ sim::RunOptions with_copies(sim::RunOptions options, const Scenario& scenario) {
   return options;
 }
 
-std::uint64_t step_at(double time, const Scenario& scenario) {
-  return static_cast<std::uint64_t>(std::floor(time * scenario.spec.rates.kinematics + 0.5));
-}
-
 }  // namespace
 
 std::optional<std::string> until_problem(const ScenarioSpec& spec, double until) {
@@ -53,7 +49,7 @@ Mission::Mission(const std::shared_ptr<const Scenario>& scenario, std::uint64_t 
 
 Judge::Judge(const Scenario& scenario, double until)
     : scenario_(&scenario),
-      last_step_(step_at(until, scenario)),
+      last_step_(scenario.spec.rates.step_at(until)),
       standings_(scenario.library->flights.size()) {}
 
 std::optional<std::string> start_problem(const Scenario& scenario) {

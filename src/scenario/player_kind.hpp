@@ -36,6 +36,22 @@ template <class Registry>
   return own;
 }
 
+/// Enters a group with its members, by rank, into the roster and the library; their ids are the
+/// next ones.
+inline model::Flight& enter(Scenario& scenario, model::Library& library, std::uint8_t fleet,
+                            model::Flight group, std::span<const Roster::Player> members) {
+  for (Roster::Player player : members) {
+    group.members.push_back(
+        PlayerId{static_cast<std::uint32_t>(scenario.roster.players.size() + 1)});
+    player.fleet = fleet;
+    player.flight = static_cast<std::uint16_t>(library.flights.size());
+    player.side = group.side;
+    scenario.roster.players.push_back(std::move(player));
+  }
+  scenario.roster.flights.push_back({group.name, group.side, group.members});
+  return library.flights.emplace_back(std::move(group));
+}
+
 /// Made once per scenario; asked in the order of its functions.
 class PlayerKind {
  public:
@@ -135,17 +151,8 @@ class AgentKind : public PlayerKind {
   /// Enters one group with its members, by rank; their ids are the next ones.
   void enter_group(Scenario& scenario, model::Library& library, std::uint8_t fleet,
                    model::Flight group, std::span<const Roster::Player> members) {
-    for (Roster::Player player : members) {
-      const PlayerId id{static_cast<std::uint32_t>(scenario.roster.players.size() + 1)};
-      group.members.push_back(id);
-      player.fleet = fleet;
-      player.flight = static_cast<std::uint16_t>(library.flights.size());
-      player.side = group.side;
-      scenario.roster.players.push_back(std::move(player));
-      ++players_;
-    }
-    scenario.roster.flights.push_back({group.name, group.side, group.members});
-    library.flights.push_back(std::move(group));
+    scenario::enter(scenario, library, fleet, std::move(group), members);
+    players_ += static_cast<std::uint32_t>(members.size());
     plans_.resize(library.flights.size());
   }
   /// What fleet() gives; `Mine` is a Fleet, or one that shows more.

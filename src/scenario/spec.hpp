@@ -198,6 +198,11 @@ struct RatesSpec {
               "ticks of each pilot's and each driver's tree")};
   }
   double kinematics = 50, decisions = 10;
+
+  /// The step that is nearest to a time (s, not negative).
+  [[nodiscard]] std::uint64_t step_at(double time) const {
+    return static_cast<std::uint64_t>(time * kinematics + 0.5);
+  }
 };
 
 struct ReferenceSpec {
