@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include <algorithm>
 
 #include "scenario/changes.hpp"
@@ -13,24 +12,6 @@ namespace {
 std::string named(const std::string& text) {
   return "--set " + text;
 }
-
-}  // namespace
-
-void place_in_override(Value& v, const std::string& text, std::size_t offset) {
-  auto move = [&](Location& where) {
-    const int before = where.line <= 1 ? static_cast<int>(offset) : 0;
-    where = {named(text), std::max(where.line, 1), before + std::max(where.column, 1)};
-  };
-  move(v.where);
-  for (Value& item : v.items)
-    place_in_override(item, text, offset);
-  for (Value::Entry& e : v.entries) {
-    move(e.where);
-    place_in_override(e.value, text, offset);
-  }
-}
-
-namespace {
 
 class Override {
  public:
@@ -94,6 +75,20 @@ class Override {
 };
 
 }  // namespace
+
+void place_in_override(Value& v, const std::string& text, std::size_t offset) {
+  auto move = [&](Location& where) {
+    const int before = where.line <= 1 ? static_cast<int>(offset) : 0;
+    where = {named(text), std::max(where.line, 1), before + std::max(where.column, 1)};
+  };
+  move(v.where);
+  for (Value& item : v.items)
+    place_in_override(item, text, offset);
+  for (Value::Entry& e : v.entries) {
+    move(e.where);
+    place_in_override(e.value, text, offset);
+  }
+}
 
 void apply_overrides(Value& document, std::span<const std::string> sets, Diagnostics& diagnostics) {
   for (const std::string& text : sets)

@@ -82,24 +82,20 @@ std::string misfit(const PluginInfo& info) {
   return info.add ? "" : "it has nothing to add";
 }
 
-/// `info` is null exactly if there is a problem.
-struct OpenedPlugin {
-  const PluginInfo* info = nullptr;
-  std::string problem;
-};
-
-/// Opens the file at an absolute path and checks that it was made for this program. Of its code
-/// only the constructors of its static objects have run then.
-OpenedPlugin open_plugin(const std::string& path) {
+/// Opens the file at an absolute path and, if it was made for this program, lets it add; otherwise
+/// gives why not, and of its code only the constructors of its static objects have run.
+std::string open_plugin(const std::string& path, Registrar& registrar) {
   // all symbols now: what is missing is found here and not in the middle of a step
   void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library)
-    return {nullptr, words_for(::dlerror(), path)};
+    return words_for(::dlerror(), path);
   const auto* info = static_cast<const PluginInfo*>(::dlsym(library, "eyrie_plugin"));
   if (!info)
-    return {nullptr, "it is not a plug-in: there is no EYRIE_PLUGIN in it"};
+    return "it is not a plug-in: there is no EYRIE_PLUGIN in it";
   std::string problem = misfit(*info);
-  return {problem.empty() ? info : nullptr, std::move(problem)};
+  if (problem.empty())
+    info->add(registrar);
+  return problem;
 }
 
 }  // namespace
@@ -127,12 +123,9 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
   const std::string origin = file.filename();
   Registries registries = *registries_;
   Registrar registrar(registries, origin);
-  OpenedPlugin opened;
-  try {
-    opened = open_plugin(file);  // some systems let through what a static object throws
-    if (!opened.info)
-      return {opened.problem};
-    opened.info->add(registrar);
+  try {  // some systems let through what a static object throws
+    if (std::string problem = open_plugin(file, registrar); !problem.empty())
+      return {std::move(problem)};
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
@@ -142,8 +135,7 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
   }
   std::vector<std::string> problems = registrar.problems();
   std::ranges::move(name_problems(registries, origin), std::back_inserter(problems));
-  for (std::string& problem : model_problems(registrar, source))
-    problems.push_back(std::move(problem));
+  std::ranges::move(model_problems(registrar, source), std::back_inserter(problems));
   if (!problems.empty())
     return problems;
   registries_ = std::make_shared<const Registries>(std::move(registries));

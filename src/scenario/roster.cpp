@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/text.hpp"
-
 namespace eyrie::scenario {
 
 void share_out(const std::vector<std::string>& ours, const Value& list, Roster& roster,
