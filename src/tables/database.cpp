@@ -38,15 +38,15 @@ class Writer final : public sim::Observer {
     database_.run(
         "PRAGMA temp_store=MEMORY; PRAGMA foreign_keys=OFF; PRAGMA user_version=1; BEGIN");
     const double dt = scenario_.simulation->dt();
-    for (Table& table : tables_of(columns_, dt)) {
+    const std::vector<Table> tables = tables_of(columns_, dt);
+    for (const Table& table : tables) {
       database_.run(create(table));
       if (table.query.empty())
         into_.emplace(table.name, database_.prepare(insert(table)));
-      for (const TableColumn& column : table.columns)
-        units_.push_back({table.name, column.name, column.unit, column.help});
     }
-    for (const auto& [table, column, unit, help] : units_)
-      into("units").with(table, column, unit, help).step();
+    for (const Table& table : tables)
+      for (const auto& [column, type, unit, help] : table.columns)
+        into("units").with(table.name, column, unit, help).step();
   }
 
   [[nodiscard]] const std::vector<ActionColumn>& columns() const { return columns_; }
@@ -101,7 +101,7 @@ class Writer final : public sim::Observer {
   std::int64_t first_node(const debrief::Decision& d);
   void put_event(const sim::Event& e, const sim::StepInfo& info);
   void put_span(PlayerId who, const Span& span);
-  void put_answer(const Key& key, std::uint64_t from, std::uint64_t to, const AnswerRow& row);
+  void put_answer(const Key& key, const Intervals<Key, AnswerRow>::Interval& interval);
   void put_players();
   void look(const sim::World& world);
 
@@ -112,7 +112,6 @@ class Writer final : public sim::Observer {
   record::Missiles missiles_;
   sql::Database database_;
   std::map<std::string, sql::Statement, std::less<>> into_;
-  std::vector<std::array<std::string, 4>> units_;
   std::int64_t event_count_ = 0, node_count_ = 0;
   std::map<std::string, std::int64_t> texts_;
   std::map<std::pair<std::uint8_t, std::string>, std::int64_t> trees_;  ///< by fleet and name
@@ -169,8 +168,8 @@ void Writer::put_span(PlayerId who, const Span& s) {
 }
 
 /// What has stayed the same for some intervals goes into the form.
-void Writer::put_answer(const Key& key, std::uint64_t from, std::uint64_t to,
-                        const AnswerRow& answer) {
+void Writer::put_answer(const Key& key, const Intervals<Key, AnswerRow>::Interval& interval) {
+  const auto& [from, to, answer] = interval;
   constexpr std::uint32_t kSome = 3;
   const auto number = [&](const std::string& words) {
     return words.empty() ? kNull : static_cast<double>(text(words));
@@ -226,14 +225,10 @@ void Writer::decide(const debrief::Decision& d) {
   Span& span = at->second;
   const std::uint64_t before = span.to;
   Answers answers = answers_of(d, columns_, !is_new && span.root == root ? &span.answers : nullptr);
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    if (!answers[i])
-      continue;
-    answers_.see({d.player.value, root + static_cast<std::int64_t>(i)}, before, d.step, *answers[i],
-                 [&](const Key& key, const auto& interval) {
-                   put_answer(key, interval.from, interval.to, interval.row);
-                 });
-  }
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    if (answers[i])
+      answers_.see({d.player.value, root + static_cast<std::int64_t>(i)}, before, d.step,
+                   *answers[i], [&](const auto&... answer) { put_answer(answer...); });
   const std::uint64_t every = d.step - before;
   if (!is_new && span.root == root && same(span.leader, leader) && same(span.attacks, attacks) &&
       (span.every == 0 || span.every == every)) {
@@ -282,9 +277,7 @@ void Writer::put_players() {
 std::string Writer::bytes() {
   for (const auto& [who, span] : spans_)
     put_span(who, span);
-  answers_.finish([&](const Key& key, const auto& interval) {
-    put_answer(key, interval.from, interval.to, interval.row);
-  });
+  answers_.finish([&](const auto&... answer) { put_answer(answer...); });
   put_players();
   const record::RunFile& run = recorded_.run;
   const std::map<std::string, std::string> about{

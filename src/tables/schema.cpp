@@ -35,11 +35,13 @@ Columns event_columns() {
   return columns;
 }
 
-Columns track_columns() {
-  Columns columns{kPlayerId};
-  for (const TrackColumn& column : kTrackColumns)
+/// Columns of one type that are described elsewhere.
+template <class Described>
+Columns columns_of(const Described& described, const char* type) {
+  Columns columns;
+  for (const auto& column : described)
     columns.push_back(
-        {std::string(column.name), "REAL", std::string(column.unit), std::string(column.help)});
+        {std::string(column.name), type, std::string(column.unit), std::string(column.help)});
   return columns;
 }
 
@@ -102,14 +104,6 @@ constexpr const char* kEach = R"(WITH RECURSIVE one(player_id, step, to_step, ev
     FROM one WHERE step < to_step)
 )";
 
-Columns decision_columns() {
-  Columns columns;
-  for (const DecisionColumn& column : kDecisionColumns)
-    columns.push_back(
-        {std::string(column.name), "", std::string(column.unit), std::string(column.help)});
-  return columns;
-}
-
 }  // namespace
 
 std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step) {
@@ -157,7 +151,8 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
   all.push_back({"events", "Everything that happened: docs/events.md.", event_columns()});
   all.push_back({"tracks",
                  "Where everybody was: players every second, missiles five times a second.",
-                 track_columns(), ", PRIMARY KEY (player_id, time_s)) WITHOUT ROWID"});
+                 with({kPlayerId}, columns_of(kTrackColumns, "REAL")),
+                 ", PRIMARY KEY (player_id, time_s)) WITHOUT ROWID"});
   all.push_back({"decision_spans",
                  "Decisions in a row at one distance, of one tree and with one leader. The view "
                  "decisions has each of them.",
@@ -200,7 +195,7 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
   all.push_back({"decisions",
                  "Every decision with the action that its tree recommends; what somebody outside "
                  "asked for instead is told by the events order.",
-                 with(decision_columns(), action(columns, false)), "",
+                 with(columns_of(kDecisionColumns, ""), action(columns, false)), "",
                  fmt::format("{}SELECT {} AS time_s, one.step, p.name AS player, root.tree,\n"
                              "  {} AS status, coalesce(own.vote, own_form.vote) AS vote,\n  "
                              "lead_node.label AS leader, lead_node.path AS "
