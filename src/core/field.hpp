@@ -12,9 +12,9 @@
 ///     }
 ///   };
 ///
-/// field() takes scalars, enums, ids, Vec3, nested rows, and arrays (std or C) of these. Arrays of
-/// scalars stay one field with a count; all else becomes one field per scalar, with names such as
-/// "position.x" or "tracks[3].range".
+/// field() takes scalars, enums, ids, Vec3, Mat3, nested rows, and arrays (std or C) of
+/// these. Arrays of scalars stay one field with a count; all else becomes one field per scalar,
+/// with names such as "position.x" or "tracks[3].range".
 #include <fmt/format.h>
 
 #include <optional>
@@ -195,8 +195,17 @@ constexpr auto flatten(FieldName name, std::uint32_t offset, std::string_view un
       info.offset += offset;
     }
     return result;
+  } else if constexpr (std::is_same_v<T, Mat3>) {
+    std::array<FieldInfo, 9> result{};
+    std::size_t next = 0;
+    for (const auto& [part, row] :
+         {std::pair(".row_x", &Mat3::row_x), {".row_y", &Mat3::row_y}, {".row_z", &Mat3::row_z}})
+      for (const FieldInfo& info : flatten<Vec3>(name + part, offset + offset_of(row), unit))
+        result[next++] = info;
+    return result;
   } else {
-    static_assert(std::is_same_v<T, Vec3>, "a row has scalars, Vec3, rows, and arrays of these");
+    static_assert(std::is_same_v<T, Vec3>,
+                  "a row has scalars, Vec3, Mat3, rows, and arrays of these");
     return std::array{scalars<double>(name + ".x", offset + offset_of(&Vec3::x), 1, unit),
                       scalars<double>(name + ".y", offset + offset_of(&Vec3::y), 1, unit),
                       scalars<double>(name + ".z", offset + offset_of(&Vec3::z), 1, unit)};

@@ -73,12 +73,14 @@ struct Track {
 
 struct Brain {
   std::array<Track, 2> tracks;
+  Mat3 frame;
   Vec3 route[2]{};
   Mode modes[3]{};
   std::uint8_t reserved[5]{};
   static constexpr auto fields() {
-    return field_list(field("tracks", &Brain::tracks), field("route", &Brain::route, "m"),
-                      field("modes", &Brain::modes), field("reserved", &Brain::reserved));
+    return field_list(field("tracks", &Brain::tracks), field("frame", &Brain::frame),
+                      field("route", &Brain::route, "m"), field("modes", &Brain::modes),
+                      field("reserved", &Brain::reserved));
   }
 };
 
@@ -170,12 +172,20 @@ TEST(Field, FlattensVectorsNestedRowsAndArrays) {
   for (const FieldInfo& info : fields_of<Brain>())
     names.push_back(info.count == 1 ? std::string(info.name)
                                     : std::string(info.name) + " x" + std::to_string(info.count));
-  EXPECT_EQ(names, (std::vector<std::string>{
-                       "tracks[0].position.x", "tracks[0].position.y", "tracks[0].position.z",
-                       "tracks[0].who", "tracks[0].age", "tracks[1].position.x",
-                       "tracks[1].position.y", "tracks[1].position.z", "tracks[1].who",
-                       "tracks[1].age", "route[0].x", "route[0].y", "route[0].z", "route[1].x",
-                       "route[1].y", "route[1].z", "modes x3", "reserved x5"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"tracks[0].position.x", "tracks[0].position.y",
+                                             "tracks[0].position.z", "tracks[0].who",
+                                             "tracks[0].age",        "tracks[1].position.x",
+                                             "tracks[1].position.y", "tracks[1].position.z",
+                                             "tracks[1].who",        "tracks[1].age",
+                                             "frame.row_x.x",        "frame.row_x.y",
+                                             "frame.row_x.z",        "frame.row_y.x",
+                                             "frame.row_y.y",        "frame.row_y.z",
+                                             "frame.row_z.x",        "frame.row_z.y",
+                                             "frame.row_z.z",        "route[0].x",
+                                             "route[0].y",           "route[0].z",
+                                             "route[1].x",           "route[1].y",
+                                             "route[1].z",           "modes x3",
+                                             "reserved x5"}));
   EXPECT_EQ(named(fields_of<Brain>(), "tracks[1].position.y").unit, "m");
   EXPECT_EQ(named(fields_of<Brain>(), "tracks[1].age").offset,
             sizeof(Track) + offsetof(Track, age));
