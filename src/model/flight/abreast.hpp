@@ -3,7 +3,6 @@
 /// \file  Flies one step of aircraft, those of point_mass several side by side.
 #include "model/ellipsoid.hpp"
 #include "model/flight/equations.hpp"
-#include "model/flight/steering.hpp"
 
 namespace eyrie::model::flight {
 

@@ -3,7 +3,7 @@
 /// \file  The equations of point_mass and of its inner loops, for one aircraft (Real = double) or
 /// for several side by side (Real = math::Lanes): the same bits. Nothing here branches on what one
 /// aircraft does and another one does not. docs/models/flight.md has the equations.
-#include "model/flight/guidance.hpp"
+#include "model/flight/autopilot.hpp"
 #include "model/flight/point_mass.hpp"
 
 namespace eyrie::model::flight {
@@ -78,7 +78,13 @@ class Equations {
     return c;
   }
 
-  /// flight::steer
+  /// Controls that fly `wanted` with at most `load_factor` (g), the structure and the wing
+  /// permitting. Height has priority over the turn, and flying speed over height: it climbs no
+  /// steeper than the excess thrust allows at the speed asked for, and puts the nose down before it
+  /// gets too slow. A wanted climb angle (Guidance::climb) is a direction of flight: the lift
+  /// vector goes to it, past the vertical and upside down too, and neither height nor flying speed
+  /// have priority. `afterburner` is lit when it falls behind the speed asked for, and put out once
+  /// military power is enough.
   template <class K>
   ControlsOf<Real> steer(const K& k, const FlightConditionOf<Real>& c, const WantedOf<Real>& wanted,
                          const Real& load_factor, Mask& afterburner) const {
@@ -144,7 +150,11 @@ class Equations {
                      each(&FlightLimits::max_equivalent_airspeed) / c.density_root);
   }
 
-  /// PointMass::step
+  /// One step of `dt` (s). Load factor and bank follow the controls at their rates, limited by
+  /// structure and lift; the throttle spools; forces stay constant during the step and the motion
+  /// is integrated by the midpoint rule, which changes the energy by the work of thrust and drag
+  /// only. Sets the fuel flow; the caller burns it. Leaves everything of `k` but the vertical axes
+  /// and the altitude of the new position, which the caller sets.
   template <class K, class E>
   void step(K& k, E& engines, const FlightConditionOf<Real>& condition,
             const ControlsOf<Real>& controls, const Vec3Of<Real>& wind_ned, double dt) const {

@@ -32,7 +32,7 @@ FlightCondition Performance::at(double mach, double altitude) const {
   Kinematics k;
   k.speed = mach * air.speed_of_sound;
   k.altitude = altitude;
-  return model.condition(k, air, fuel, load);
+  return Equations<double>({&model}).condition(k, air, fuel, load);
 }
 
 double Performance::excess_power(double mach, double altitude, Power power,

@@ -3,8 +3,6 @@
 
 #include <initializer_list>
 
-#include "model/flight/equations.hpp"
-
 namespace eyrie::model::flight {
 namespace {
 
@@ -41,11 +39,6 @@ PointMass::PointMass(const Airframe& airframe)
                              (mach_.breakpoints()[i + 1] - mach_.breakpoints()[i]);
 }
 
-FlightCondition PointMass::condition(const Kinematics& k, const Air& air, double fuel,
-                                     const Load& load) const {
-  return Equations<double>({this}).condition(k, air, fuel, load);
-}
-
 Energy PointMass::energy(const FlightCondition& c, double speed) const {
   const double most = airframe_.limits.max_load_factor;
   const double excess = c.thrust.afterburner - c.zero_lift_drag;
@@ -75,11 +68,6 @@ Energy PointMass::energy(const FlightCondition& c, double speed) const {
           .corner_speed = static_cast<float>(corner),
           .excess_power =
               static_cast<float>((c.thrust.afterburner - c.drag(1)) * speed / (c.mass * kGravity))};
-}
-
-void PointMass::step(Kinematics& k, Propulsion& engines, const FlightCondition& condition,
-                     const Controls& controls, const Vec3& wind_ned, double dt) const {
-  Equations<double>({this}).step(k, engines, condition, controls, wind_ned, dt);
 }
 
 }  // namespace eyrie::model::flight

@@ -79,21 +79,9 @@ class PointMass {
 
   [[nodiscard]] const Airframe& airframe() const { return airframe_; }
 
-  /// At the speed and altitude of `k`, in that air.
-  [[nodiscard]] FlightCondition condition(const Kinematics& k, const Air& air, double fuel,
-                                          const Load& load) const;
-
   /// What structure, wing and full power allow in that condition, at the true airspeed `speed`.
   /// Corner speed: where lift 1/2 rho V^2 S C_Lmax(M) is the structure's limit times the weight.
   [[nodiscard]] Energy energy(const FlightCondition& condition, double speed) const;
-
-  /// One step of `dt` (s). Load factor and bank follow the controls at their rates, limited by
-  /// structure and lift; the throttle spools; forces stay constant during the step and the motion
-  /// is integrated by the midpoint rule, which changes the energy by the work of thrust and drag
-  /// only. Sets the fuel flow; the caller burns it. Leaves everything of `k` but the vertical axes
-  /// and the altitude of the new position, which the caller sets.
-  void step(Kinematics& k, Propulsion& engines, const FlightCondition& condition,
-            const Controls& controls, const Vec3& wind_ned, double dt) const;
 
  private:
   template <class Real, bool kAlike>

@@ -205,7 +205,7 @@ TEST(PointMass, HasTheTablesOfItsAirframe) {
       Kinematics k;
       k.speed = mach * air.speed_of_sound;
       k.altitude = altitude;
-      const FlightCondition c = model.condition(k, air, 1000, {});
+      const FlightCondition c = Equations<double>({&model}).condition(k, air, 1000.0, {});
       const double qs = 0.5 * air.density * k.speed * k.speed * 30;
       ASSERT_NEAR(c.zero_lift_drag / qs, a.aerodynamics.zero_lift_drag(c.mach), 1e-9);
       ASSERT_NEAR(c.thrust.military, a.engine.military(c.mach, altitude), 1e-9);
@@ -263,7 +263,8 @@ TEST(PointMass, IsIntegratedToSecondOrder) {
     k.roll = 0.7;
     const FlightCondition condition = f.condition();
     for (int i = 0; i < static_cast<int>(std::lround(6 / dt)); ++i)
-      f.model.step(k, f.propulsion, condition, {.load_factor = 4, .bank = 0.7}, {}, dt);
+      Equations<double>({&f.model})
+          .step(k, f.propulsion, condition, {.load_factor = 4, .bank = 0.7}, {}, dt);
     return k.position;
   };
   const Vec3 exact = end(0.001);

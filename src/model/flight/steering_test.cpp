@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "model/flight/steering.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -166,7 +164,8 @@ TEST(Steering, RecoversFromTooSlowByPuttingTheNoseDown) {
     lowest = std::min(lowest, f.kinematics.altitude);
   }
   EXPECT_GT(f.condition().lift_limit, 1.2);
-  EXPECT_NEAR(f.kinematics.speed, slowest_speed(f.model, f.kinematics, f.condition()), 3);
+  EXPECT_NEAR(f.kinematics.speed,
+              Equations<double>({&f.model}).slowest_speed(f.kinematics, f.condition()), 3);
   EXPECT_GT(lowest, 4000);
 }
 

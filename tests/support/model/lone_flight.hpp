@@ -83,15 +83,15 @@ struct TestFlight {
 
   /// Without the autopilot.
   void step(const flight::Controls& controls) {
-    model.step(kinematics, propulsion, condition(), controls,
-               environment.wind.at(kinematics.altitude), kDt);
+    flight::Equations<double>({&model}).step(kinematics, propulsion, condition(), controls,
+                                             environment.wind.at(kinematics.altitude), kDt);
     carry_to(kinematics, reference.vertical_at(kinematics.position));
     time += kDt;
   }
 
   [[nodiscard]] flight::FlightCondition condition() const {
-    return model.condition(kinematics, environment.atmosphere.at(kinematics.altitude),
-                           propulsion.fuel, load);
+    return flight::Equations<double>({&model}).condition(
+        kinematics, environment.atmosphere.at(kinematics.altitude), propulsion.fuel, load);
   }
   /// J/kg over altitude 0: height and speed.
   [[nodiscard]] double energy() const {
