@@ -85,76 +85,52 @@ void KeptZones::use(ZoneStore store) {
 }
 
 LaunchZone KeptZones::of(const MissileType& type) {
-  std::string key = key_of(type);
-  if (const Table known = find(key))
-    return {type, known};
-  const std::optional<Offer> offer = offered(key);
-  const bool believed = offer && offer->trial == trial_flights(type);
-  Table table = believed ? offer->table : fetch(type, key);
-  return {type, keep(std::move(key), std::move(table))};
-}
-
-KeptZones::Table KeptZones::fetch(const MissileType& type, const std::string& key) {
-  const auto store = [&] {
+  const std::string key = key_of(type);
+  Offer offer;
+  std::shared_ptr<const ZoneStore> store;
+  {
     const std::lock_guard lock(mutex_);
-    return store_;
-  }();
-  if (store->load)
-    if (const std::string file = store->load(checksum(key)); !file.empty()) {
-      KeptZones kept;
-      kept.take(file);
-      if (const auto offer = kept.offered(key); offer && offer->trial == trial_flights(type))
-        return offer->table;
-    }
-  Table table = fly(type);
-  if (store->save)
-    store->save(checksum(key), section(key, trial_flights(type), *table));
-  return table;
+    if (const auto known = tables_.find(key); known != tables_.end())
+      return {type, known->second};
+    if (const auto offered = offers_.find(key); offered != offers_.end())
+      offer = offered->second;
+    store = store_;
+  }
+
+  // from a file or from the store, if it is believed; flown otherwise
+  const std::uint64_t trial = trial_flights(type);
+  if (offer.trial != trial && store->load) {
+    KeptZones stored;
+    stored.take(store->load(checksum(key)));
+    offer = stored.offers_[key];
+  }
+  Table table = offer.trial == trial ? offer.table : nullptr;
+  const bool flown = !table;
+  if (flown) {
+    table = std::make_shared<const ZoneTable>(fly_zone(type, store->workers, [&](double done) {
+      if (store->progress)
+        store->progress(type, done);
+    }));
+    if (store->save)
+      store->save(checksum(key), section(key, trial, *table));
+  }
+
+  const std::lock_guard lock(mutex_);
+  flown_ += flown ? 1 : 0;
+  const auto [place, fresh] = tables_.emplace(key, std::move(table));
+  if (fresh)
+    order_.push_back(&place->first);
+  const LaunchZone zone(type, place->second);
+  if (order_.size() > most_) {
+    tables_.erase(tables_.find(*order_.front()));
+    order_.pop_front();
+  }
+  return zone;
 }
 
 std::size_t KeptZones::flown() const {
   const std::lock_guard lock(mutex_);
   return flown_;
-}
-
-KeptZones::Table KeptZones::find(const std::string& key) const {
-  const std::lock_guard lock(mutex_);
-  const auto there = tables_.find(key);
-  return there == tables_.end() ? nullptr : there->second;
-}
-
-std::optional<KeptZones::Offer> KeptZones::offered(const std::string& key) const {
-  const std::lock_guard lock(mutex_);
-  const auto there = offers_.find(key);
-  return there == offers_.end() ? std::nullopt : std::optional(there->second);
-}
-
-KeptZones::Table KeptZones::fly(const MissileType& type) {
-  std::shared_ptr<const ZoneStore> store;
-  {
-    const std::lock_guard lock(mutex_);
-    store = store_;
-  }
-  Table table = std::make_shared<const ZoneTable>(fly_zone(type, store->workers, [&](double done) {
-    if (store->progress)
-      store->progress(type, done);
-  }));
-  const std::lock_guard lock(mutex_);
-  ++flown_;
-  return table;
-}
-
-KeptZones::Table KeptZones::keep(std::string key, Table table) {
-  const std::lock_guard lock(mutex_);
-  const auto [place, fresh] = tables_.emplace(std::move(key), std::move(table));
-  if (fresh)
-    order_.push_back(&place->first);
-  Table kept = place->second;
-  if (order_.size() > most_) {
-    tables_.erase(tables_.find(*order_.front()));
-    order_.pop_front();
-  }
-  return kept;
 }
 
 std::string KeptZones::encode(std::span<const MissileType> types) {

@@ -48,12 +48,6 @@ class KeptZones {
     Table table;
     std::uint64_t trial = 0;  ///< how the flights ended
   };
-  Table find(const std::string& key) const;
-  std::optional<Offer> offered(const std::string& key) const;
-  Table keep(std::string key, Table table);
-  Table fly(const MissileType& type);
-  /// From the store, if it is kept there and believed; flown otherwise.
-  Table fetch(const MissileType& type, const std::string& key);
 
   std::size_t most_;
   mutable Mutex mutex_;
