@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+
 #include "core/angle.hpp"
 #include "core/math.hpp"
 
@@ -47,6 +49,15 @@ using Vec3 = Vec3Of<double>;
 /// parallel vectors too, where the arc cosine of a dot product is not.
 [[nodiscard]] inline double angle_between(const Vec3& a, const Vec3& b) {
   return math::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+/// A vector as it stands in rows and messages.
+using Vec3f = std::array<float, 3>;
+[[nodiscard]] constexpr Vec3f narrow(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+[[nodiscard]] constexpr Vec3 wide(const Vec3f& v) {
+  return {v[0], v[1], v[2]};
 }
 
 /// A matrix by rows; `Mat3 * Vec3` is three dot products. The default is the identity.

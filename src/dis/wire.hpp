@@ -17,15 +17,6 @@
 
 namespace eyrie::dis {
 
-/// Three numbers of single precision.
-using Vec3f = std::array<float, 3>;
-[[nodiscard]] inline Vec3f narrow(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-[[nodiscard]] inline Vec3 wide(const Vec3f& v) {
-  return {v[0], v[1], v[2]};
-}
-
 namespace detail {
 
 template <class T>

@@ -27,9 +27,6 @@ bool bounded(const auto& numbers, double most) {
       return false;
   return true;
 }
-Vec3 wide(const std::array<float, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
 std::array<double, 3> parts(const Vec3& v) {
   return {v.x, v.y, v.z};
 }

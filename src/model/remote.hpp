@@ -82,12 +82,12 @@ struct RemotePlace {
   std::uint8_t algorithm = 0, pad[3] = {};
 };
 struct RemoteMotion {
-  std::array<float, 3> velocity{};      ///< m/s, local frame
-  std::array<float, 3> acceleration{};  ///< m/s^2
+  Vec3f velocity{};      ///< m/s, local frame
+  Vec3f acceleration{};  ///< m/s^2
 };
 struct RemoteAttitude {
-  std::array<float, 3> angles{};  ///< rad: heading, pitch, roll
-  std::array<float, 3> spin{};    ///< rad/s
+  Vec3f angles{};  ///< rad: heading, pitch, roll
+  Vec3f spin{};    ///< rad/s
 };
 struct RemoteBeam {
   float azimuth = 0, elevation = 0;  ///< rad, from the nose
@@ -105,11 +105,11 @@ struct RemoteLaunch {
 /// `order.player` is the missile.
 struct RemoteDetonation {
   PlayerId shooter{}, target{};
-  std::array<float, 3> place{};  ///< m, local frame
-  float miss = 0;                ///< m, from the target
-  std::uint16_t type = 0;        ///< index of the MissileType
-  std::uint8_t lethal = 0;       ///< 1: near the target, which whose it is assesses
-  std::uint8_t ending = 0;       ///< otherwise weapon::MissileEnd
+  Vec3f place{};            ///< m, local frame
+  float miss = 0;           ///< m, from the target
+  std::uint16_t type = 0;   ///< index of the MissileType
+  std::uint8_t lethal = 0;  ///< 1: near the target, which whose it is assesses
+  std::uint8_t ending = 0;  ///< otherwise weapon::MissileEnd
 };
 /// `order.player` is the target.
 struct RemoteRounds {

@@ -72,8 +72,8 @@ struct VoteChange {
 
 /// A place to fly to instead of the route.
 struct PointToFly {
-  std::array<float, 3> position{};  ///< m, local frame
-  float altitude = 0;               ///< m
+  Vec3f position{};    ///< m, local frame
+  float altitude = 0;  ///< m
   std::uint32_t more =
       0;  ///< of an order: 1 if it follows the points there are, else it replaces them
   static constexpr auto fields() {

@@ -34,32 +34,43 @@ struct AxisCovariance {
 };
 
 /// The same with the acceleration as a third state.
-struct TurningCovariance {
-  float position = 0;               ///< m^2
-  float cross = 0;                  ///< m^2/s, position with velocity
-  float velocity = 0;               ///< m^2/s^2
-  float position_acceleration = 0;  ///< m^2/s^2
-  float velocity_acceleration = 0;  ///< m^2/s^3
-  float acceleration = 0;           ///< m^2/s^4
+template <class Real>
+struct CovarianceOf {
+  Real position = 0;               ///< m^2
+  Real cross = 0;                  ///< m^2/s, position with velocity
+  Real velocity = 0;               ///< m^2/s^2
+  Real position_acceleration = 0;  ///< m^2/s^2
+  Real velocity_acceleration = 0;  ///< m^2/s^3
+  Real acceleration = 0;           ///< m^2/s^4
 
+  template <class To>
+  [[nodiscard]] constexpr CovarianceOf<To> as() const {
+    return {static_cast<To>(position),
+            static_cast<To>(cross),
+            static_cast<To>(velocity),
+            static_cast<To>(position_acceleration),
+            static_cast<To>(velocity_acceleration),
+            static_cast<To>(acceleration)};
+  }
   static constexpr auto fields() {
-    using T = TurningCovariance;
-    return field_list(field("position", &T::position, "m2"), field("cross", &T::cross),
-                      field("velocity", &T::velocity),
-                      field("position_acceleration", &T::position_acceleration),
-                      field("velocity_acceleration", &T::velocity_acceleration),
-                      field("acceleration", &T::acceleration));
+    using C = CovarianceOf;
+    return field_list(field("position", &C::position, "m2"), field("cross", &C::cross),
+                      field("velocity", &C::velocity),
+                      field("position_acceleration", &C::position_acceleration),
+                      field("velocity_acceleration", &C::velocity_acceleration),
+                      field("acceleration", &C::acceleration));
   }
 };
+using TurningCovariance = CovarianceOf<float>;
 
 /// What a track would be if its target were turning, beside what it would be if it flew straight.
 struct Turning {
-  TurningCovariance along{};            ///< along the line of sight
-  TurningCovariance across{};           ///< each of the two axes across it
-  std::array<float, 3> position{};      ///< m, from where the target would be if it flew straight
-  std::array<float, 3> velocity{};      ///< m/s, likewise
-  std::array<float, 3> acceleration{};  ///< m/s^2
-  float probability = 0;                ///< that the target turns
+  TurningCovariance along{};   ///< along the line of sight
+  TurningCovariance across{};  ///< each of the two axes across it
+  Vec3f position{};            ///< m, from where the target would be if it flew straight
+  Vec3f velocity{};            ///< m/s, likewise
+  Vec3f acceleration{};        ///< m/s^2
+  float probability = 0;       ///< that the target turns
 
   static constexpr auto fields() {
     return field_list(field("along", &Turning::along), field("across", &Turning::across),

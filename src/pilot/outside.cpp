@@ -76,8 +76,7 @@ Obeyed add_point(PointToFly wish, model::Tasking& asked) {
 
 /// north-east-down, m
 Vec3 way_to(const PointToFly& point, const State& state) {
-  const auto& p = point.position;
-  return to_ned(state.own, Vec3{p[0], p[1], p[2]} - state.own.position);
+  return to_ned(state.own, wide(point.position) - state.own.position);
 }
 
 /// By its route, or with its lead; and after nobody.

@@ -95,10 +95,10 @@ std::string yaml_of(std::string_view json) {
 }
 
 /// A place of the map around the reference, where the Earth curves away below (MapPlace).
-std::array<float, 3> place_of(double east, double north, double altitude) {
+Vec3f place_of(double east, double north, double altitude) {
   constexpr double kEarth = 6'371e3;
   const double down = (east * east + north * north) / (2 * kEarth) - altitude;
-  return {static_cast<float>(north), static_cast<float>(east), static_cast<float>(down)};
+  return narrow({north, east, down});
 }
 
 class OrderReader {

@@ -8,9 +8,6 @@
 namespace eyrie::model::datalink {
 namespace {
 
-using track::narrow;
-using track::widen;
-
 /// A track counts as held by the own sensors for so long after their last contact (s).
 constexpr double kHeld = 5;
 
@@ -112,14 +109,14 @@ struct Estimate {
 };
 Estimate estimate_of(const SharedTrack& shared, const DatalinkMessage& message,
                      const track::TrackContext& context, track::Interval& ahead) {
-  const Track told{.position = widen(shared.position),
-                   .velocity = widen(shared.velocity),
+  const Track told{.position = wide(shared.position),
+                   .velocity = wide(shared.velocity),
                    .time = message.time,
                    .along = shared.along,
                    .across = shared.across,
                    .turning = shared.turning};
   track::Prediction theirs = track::predict(
-      told, context.tracker, {message.position, widen(message.velocity)}, context.time, ahead);
+      told, context.tracker, {message.position, wide(message.velocity)}, context.time, ahead);
   track::Covariance covariance = covariance_of(theirs);
   const Vec3 from_there = normalized(theirs.position - message.position, {1, 0, 0});
   const Vec3 from_here = normalized(theirs.position - context.ownship.position, {1, 0, 0});

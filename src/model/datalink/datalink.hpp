@@ -22,12 +22,12 @@ enum TrackEngagement : std::uint8_t {
 
 /// One track of the sender, at the time of the message. Single precision: 0.03 m at 500 km.
 struct SharedTrack {
-  std::array<float, 3> position{};  ///< m, local frame
-  std::array<float, 3> velocity{};  ///< m/s
-  AxisCovariance along{};           ///< along the line of sight from the sender, as Track::along
-  AxisCovariance across{};          ///< as Track::across
-  Turning turning{};                ///< as Track::turning
-  PlayerId truth{};                 ///< passed on for debrief only
+  Vec3f position{};         ///< m, local frame
+  Vec3f velocity{};         ///< m/s
+  AxisCovariance along{};   ///< along the line of sight from the sender, as Track::along
+  AxisCovariance across{};  ///< as Track::across
+  Turning turning{};        ///< as Track::turning
+  PlayerId truth{};         ///< passed on for debrief only
   Identity identity = Identity::unknown;
   std::uint8_t engagement = 0;  ///< bits of TrackEngagement
   std::uint8_t sensed = 0;      ///< 1: held by a sensor of the sender, worth fusing
@@ -58,10 +58,10 @@ struct SharedSeeker {
 
 /// What one aircraft tells its flight.
 struct DatalinkMessage {
-  double time = 0;                  ///< s, when it was sent and what it describes
-  Vec3 position{};                  ///< m, local frame
-  std::array<float, 3> velocity{};  ///< m/s
-  float fuel = 0;                   ///< kg
+  double time = 0;   ///< s, when it was sent and what it describes
+  Vec3 position{};   ///< m, local frame
+  Vec3f velocity{};  ///< m/s
+  float fuel = 0;    ///< kg
   std::array<SharedTrack, kSharedTracks> tracks{};
   std::array<SharedSeeker, kSharedSeekers> seekers{};
   std::uint32_t track_count = 0;
@@ -93,16 +93,16 @@ struct DatalinkSent {
 
 /// What one aircraft knows of one member of its flight.
 struct Mate {
-  Vec3 position{};                  ///< m, local frame, at `time`
-  std::array<float, 3> velocity{};  ///< m/s
-  float fuel = 0;                   ///< kg
-  double time = 0;                  ///< s, of the last message, when it was sent
-  double heard_time = 0;            ///< s, when the last message arrived
-  PlayerId id{};                    ///< none: no such member
-  std::uint32_t received = 0;       ///< messages of it looked at so far (its `sent`)
-  std::uint8_t alive = 0;           ///< 1: believed alive
-  std::uint8_t reported = 0;        ///< 1: position, velocity and fuel are known
-  std::uint8_t called = 0;          ///< 1: by radio, without a datalink; of the rest its position
+  Vec3 position{};             ///< m, local frame, at `time`
+  Vec3f velocity{};            ///< m/s
+  float fuel = 0;              ///< kg
+  double time = 0;             ///< s, of the last message, when it was sent
+  double heard_time = 0;       ///< s, when the last message arrived
+  PlayerId id{};               ///< none: no such member
+  std::uint32_t received = 0;  ///< messages of it looked at so far (its `sent`)
+  std::uint8_t alive = 0;      ///< 1: believed alive
+  std::uint8_t reported = 0;   ///< 1: position, velocity and fuel are known
+  std::uint8_t called = 0;     ///< 1: by radio, without a datalink; of the rest its position
   std::uint8_t reserved[5] = {};
 
   static constexpr auto fields() {
@@ -146,7 +146,7 @@ struct DatalinkState {
 
 /// m/s, as of its last message.
 [[nodiscard]] constexpr Vec3 velocity_of(const Mate& mate) {
-  return {mate.velocity[0], mate.velocity[1], mate.velocity[2]};
+  return wide(mate.velocity);
 }
 /// Where a mate is believed to be at `time` (s); needs Mate::reported.
 [[nodiscard]] constexpr Vec3 position_at(const Mate& mate, double time) {

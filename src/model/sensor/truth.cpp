@@ -133,8 +133,7 @@ void know_flight(const Scene& scene, Self& self) {
       continue;
     const Kinematics& k = scene.kinematics[*row];
     mate.position = k.position;
-    mate.velocity = {static_cast<float>(k.velocity.x), static_cast<float>(k.velocity.y),
-                     static_cast<float>(k.velocity.z)};
+    mate.velocity = narrow(k.velocity);
     mate.time = mate.heard_time = scene.time;
     mate.reported = 1;
   }

@@ -34,8 +34,8 @@ void store(Track& track, const Mode& straight, const Mode& turning, const Weight
   track.velocity = weights.mean(straight.velocity, turning.velocity);
   track.along = narrow(straight.along);
   track.across = narrow(straight.across);
-  track.turning = {.along = narrow_turning(turning.along),
-                   .across = narrow_turning(turning.across),
+  track.turning = {.along = turning.along.as<float>(),
+                   .across = turning.across.as<float>(),
                    .position = narrow(turning.position - straight.position),
                    .velocity = narrow(turning.velocity - straight.velocity),
                    .acceleration = narrow(turning.acceleration),
@@ -158,17 +158,17 @@ Prediction predict(const Track& track, const Tracker& tracker, const Ownship& ow
   const double turns = static_cast<double>(track.turning.probability);
 
   // what each model said at the last update
-  const Vec3 aside = widen(track.turning.position), faster = widen(track.turning.velocity);
+  const Vec3 aside = wide(track.turning.position), faster = wide(track.turning.velocity);
   Mode straight{.position = track.position - turns * aside,
                 .velocity = track.velocity - turns * faster,
-                .along = widen(track.along),
-                .across = widen(track.across),
+                .along = wide(track.along),
+                .across = wide(track.across),
                 .probability = 1 - turns};
   Mode turning{.position = straight.position + aside,
                .velocity = straight.velocity + faster,
-               .acceleration = widen(track.turning.acceleration),
-               .along = widen(track.turning.along),
-               .across = widen(track.turning.across),
+               .acceleration = wide(track.turning.acceleration),
+               .along = track.turning.along.as<double>(),
+               .across = track.turning.across.as<double>(),
                .probability = turns};
 
   // as the line of sight lies now
@@ -339,14 +339,14 @@ void refresh_sigmas(Track& track, const Tracker& tracker, double time, Interval&
                                             turns * later_velocity(turning, ahead.turning) +
                                             begun * later_velocity(begins, ahead.turning));
   };
-  take(widen(track.along), widen(track.turning.along));
-  take(widen(track.across), widen(track.turning.across));
+  take(wide(track.along), track.turning.along.as<double>());
+  take(wide(track.across), track.turning.across.as<double>());
 
   // and the spread of their means
   const Vec3 faster =
-      widen(track.turning.velocity) + ahead.turning.to_velocity * widen(track.turning.acceleration);
-  const Vec3 aside = widen(track.turning.position) + dt * widen(track.turning.velocity) +
-                     ahead.turning.to_position * widen(track.turning.acceleration);
+      wide(track.turning.velocity) + ahead.turning.to_velocity * wide(track.turning.acceleration);
+  const Vec3 aside = wide(track.turning.position) + dt * wide(track.turning.velocity) +
+                     ahead.turning.to_position * wide(track.turning.acceleration);
   const double apart = turns * (1 - turns);
   track.position_sigma = worst_sigma(worst_place + apart * norm2(aside), 0);
   track.velocity_sigma = worst_sigma(worst_speed + apart * norm2(faster), 0);

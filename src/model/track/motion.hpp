@@ -36,43 +36,16 @@ struct Motion {
   [[nodiscard]] constexpr double turning() const { return turn_time / (straight_time + turn_time); }
 };
 
-/// Covariance of (position, velocity, acceleration) along one axis; zeros in the last three for a
-/// model without acceleration.
-struct AxisState {
-  double position = 0;               ///< m^2
-  double cross = 0;                  ///< m^2/s, position with velocity
-  double velocity = 0;               ///< m^2/s^2
-  double position_acceleration = 0;  ///< m^2/s^2
-  double velocity_acceleration = 0;  ///< m^2/s^3
-  double acceleration = 0;           ///< m^2/s^4
-};
-[[nodiscard]] constexpr AxisState widen(const AxisCovariance& c) {
+/// Zeros in the last three members for a model without acceleration.
+using AxisState = CovarianceOf<double>;
+[[nodiscard]] constexpr AxisState wide(const AxisCovariance& c) {
   return {c.position, c.cross, c.velocity};
-}
-[[nodiscard]] constexpr AxisState widen(const TurningCovariance& c) {
-  return {c.position,    c.cross, c.velocity, c.position_acceleration, c.velocity_acceleration,
-          c.acceleration};
 }
 [[nodiscard]] constexpr AxisCovariance narrow(const AxisState& c) {
   return {static_cast<float>(c.position), static_cast<float>(c.cross),
           static_cast<float>(c.velocity)};
 }
-[[nodiscard]] constexpr TurningCovariance narrow_turning(const AxisState& c) {
-  return {static_cast<float>(c.position),
-          static_cast<float>(c.cross),
-          static_cast<float>(c.velocity),
-          static_cast<float>(c.position_acceleration),
-          static_cast<float>(c.velocity_acceleration),
-          static_cast<float>(c.acceleration)};
-}
-
-/// As it stands in rows.
-[[nodiscard]] constexpr std::array<float, 3> narrow(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-[[nodiscard]] constexpr Vec3 widen(const std::array<float, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
+using eyrie::narrow, eyrie::wide;
 
 /// a + weight * b, member by member.
 [[nodiscard]] constexpr AxisState plus(const AxisState& a, double weight, const AxisState& b) {

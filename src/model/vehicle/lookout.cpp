@@ -66,7 +66,7 @@ void warn(Lookout& lookout, const Vec3& eyes, const datalink::DatalinkMessage& m
   for (std::uint32_t i = 0; i < message.track_count; ++i) {
     const datalink::SharedTrack& track = message.tracks[i];
     sight(lookout, eyes,
-          {.position = {track.position[0], track.position[1], track.position[2]},
+          {.position = wide(track.position),
            .time = message.time,
            .truth = track.truth,
            .identity = track.identity});
