@@ -34,12 +34,8 @@ using Air = AirOf<double>;
 
 /// Geopotential altitude (m) of a geometric altitude (m): H = r Z / (r + Z) with r = 6356766 m,
 /// U.S. Standard Atmosphere 1976, eq. 18.
-[[nodiscard]] constexpr double geopotential(double geometric) {
-  constexpr double kRadius = 6356766;
-  return kRadius * geometric / (kRadius + geometric);
-}
-template <std::size_t N>
-[[nodiscard]] math::Lanes<N> geopotential(const math::Lanes<N>& geometric) {
+template <class Real>
+[[nodiscard]] constexpr Real geopotential(const Real& geometric) {
   constexpr double kRadius = 6356766;
   return kRadius * geometric / (kRadius + geometric);
 }

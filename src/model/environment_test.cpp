@@ -57,10 +57,10 @@ TEST(StandardAir, HasThePressuresOfTheLayersBases) {
 }
 
 TEST(StandardAir, UsesGeopotentialAltitude) {
-  EXPECT_DOUBLE_EQ(geopotential(0), 0);
+  EXPECT_DOUBLE_EQ(geopotential(0.0), 0);
   // table I prints Z = 11019 m beside H = 11000 m, Z = 32162 m beside H = 32000 m
-  EXPECT_NEAR(geopotential(11019), 11000, 0.5);
-  EXPECT_NEAR(geopotential(32162), 32000, 0.5);
+  EXPECT_NEAR(geopotential(11019.0), 11000, 0.5);
+  EXPECT_NEAR(geopotential(32162.0), 32000, 0.5);
   EXPECT_GT(standard_air(11018).temperature, 216.65);
   EXPECT_DOUBLE_EQ(standard_air(11020).temperature, 216.65);
 }

@@ -2,17 +2,6 @@
 #include "model/weapon/countermeasures.hpp"
 
 namespace eyrie::model::weapon {
-namespace {
-
-void put(const Vec3& position, const Vec3& velocity, double time, std::uint64_t step, Dispense kind,
-         Decoys& decoys) {
-  decoys.thrown[decoys.next] = {
-      .position = position, .velocity = velocity, .time = time, .step = step, .kind = kind};
-  decoys.next = static_cast<std::uint16_t>((decoys.next + 1) % kMaxDecoys);
-}
-
-}  // namespace
-
 Decoys loaded(const Dispenser& dispenser) {
   Decoys decoys;
   decoys.chaff = dispenser.chaff;
@@ -49,17 +38,18 @@ Dispense throw_out(const Dispenser& dispenser, Dispense wanted, const Vec3& posi
   if (wanted == Dispense::none || time + kSlack < decoys.ready_time)
     return Dispense::none;
   unsigned thrown = 0;
-  const auto asked = static_cast<unsigned>(wanted);
-  if ((asked & static_cast<unsigned>(Dispense::chaff)) != 0 && decoys.chaff > 0) {
-    --decoys.chaff;
-    put(position, velocity, time, step, Dispense::chaff, decoys);
-    thrown |= static_cast<unsigned>(Dispense::chaff);
-  }
-  if ((asked & static_cast<unsigned>(Dispense::flares)) != 0 && decoys.flares > 0) {
-    --decoys.flares;
-    put(position, velocity, time, step, Dispense::flares, decoys);
-    thrown |= static_cast<unsigned>(Dispense::flares);
-  }
+  const auto put = [&](Dispense kind, std::uint16_t& left) {
+    const auto bit = static_cast<unsigned>(kind);
+    if ((static_cast<unsigned>(wanted) & bit) == 0 || left == 0)
+      return;
+    --left;
+    decoys.thrown[decoys.next] = {
+        .position = position, .velocity = velocity, .time = time, .step = step, .kind = kind};
+    decoys.next = static_cast<std::uint16_t>((decoys.next + 1) % kMaxDecoys);
+    thrown |= bit;
+  };
+  put(Dispense::chaff, decoys.chaff);
+  put(Dispense::flares, decoys.flares);
   if (thrown != 0)
     decoys.ready_time = time + dispenser.interval;
   return static_cast<Dispense>(thrown);
