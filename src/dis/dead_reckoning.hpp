@@ -3,7 +3,7 @@
 /// \file  Where somebody is who has not been heard of for a while: dead reckoning in world
 /// coordinates. IEEE 1278.1-2012, annex E.
 #include "dis/pdu.hpp"
-#include "model/attitude.hpp"
+#include "model/kinematics.hpp"
 
 namespace eyrie::dis {
 

@@ -30,12 +30,12 @@ template <class Real>
   return sine * (1 + sine * sine * (1.0 / 6));
 }
 
-/// Local axes to the geodetic NED axes at a place.
-[[nodiscard]] constexpr Vec3 to_ned(const Vertical& at, const Vec3& local) {
+/// Local axes to the geodetic NED axes at a place or a player.
+[[nodiscard]] constexpr Vec3 to_ned(const auto& at, const Vec3& local) {
   return {dot(at.north, local), dot(at.east, local), dot(at.down, local)};
 }
-/// The geodetic NED axes at a place to local axes.
-[[nodiscard]] constexpr Vec3 from_ned(const Vertical& at, const Vec3& ned) {
+/// And back.
+[[nodiscard]] constexpr Vec3 from_ned(const auto& at, const Vec3& ned) {
   return ned.x * at.north + ned.y * at.east + ned.z * at.down;
 }
 

@@ -57,13 +57,22 @@ inline constexpr Vec3 kNowhere{0, 0, 12.77e6};
   return k.position.z > 10e6;
 }
 
+/// Forward, right and down as rows, in the frame that psi, theta and phi (rad) turn into them
+/// (Stevens, Lewis & Johnson, Aircraft Control and Simulation, 3rd ed., eq. 1.3-20: 3-2-1 Euler
+/// angles); and the angles of such axes.
+[[nodiscard]] Mat3 attitude_of(const Vec3& euler);
+[[nodiscard]] Vec3 euler_of(const Mat3& attitude);
+
+/// By what `spin` (rad/s, about the body's axes) turns an attitude in `time` (s): the new one is
+/// turn(spin, time) * attitude. IEEE 1278.1-2012, E.7.2.
+[[nodiscard]] Mat3 turn(const Vec3& spin, double time);
+
 /// Three orthonormal axes in the local frame.
 struct Axes {
   Vec3 forward{1, 0, 0}, right{0, 1, 0}, down{0, 0, 1};
 };
 
-/// Nose, right wing and belly of a player. Stevens, Lewis & Johnson, Aircraft Control and
-/// Simulation, 3rd ed., eq. 1.3-20 (3-2-1 Euler angles).
+/// Nose, right wing and belly of a player.
 [[nodiscard]] Axes body_axes(const Kinematics& k);
 
 /// The level axes at a player, turned by `heading` (rad, true).

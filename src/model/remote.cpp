@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/remote.hpp"
 
-#include "model/attitude.hpp"
 #include "model/events.hpp"
 #include "model/weapon/flyout.hpp"
 

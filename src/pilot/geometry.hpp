@@ -35,15 +35,6 @@ struct Formation {
   return {-out * formation.behind, place * formation.abreast, out * formation.below};
 }
 
-/// A vector of the scenario's local frame in the north-east-down axes at the ownship.
-[[nodiscard]] constexpr Vec3 to_ned(const model::Kinematics& own, const Vec3& local) {
-  return {dot(own.north, local), dot(own.east, local), dot(own.down, local)};
-}
-/// And back.
-[[nodiscard]] constexpr Vec3 from_ned(const model::Kinematics& own, const Vec3& ned) {
-  return ned.x * own.north + ned.y * own.east + ned.z * own.down;
-}
-
 /// True bearing in (-pi, pi] of a NED vector; 0 if it has no horizontal part.
 [[nodiscard]] inline double bearing_of(const Vec3& ned) {
   return wrap_pi(math::atan2(ned.y, ned.x));

@@ -54,7 +54,7 @@ TEST(Start, OfAWingmanIsBesideWhereverItsLeadIs) {
     const auto s = pair("", second, "5000 m", first);
     const auto world = s->world(1);
     const model::Kinematics &of_lead = motion(*s, world, 0), &other = motion(*s, world, 1);
-    return pilot::to_ned(of_lead, other.position - of_lead.position);
+    return to_ned(of_lead, other.position - of_lead.position);
   };
   const std::string lead = "start: {north: 20 km, east: 0 km, altitude: 7000 m, heading: 90 deg}";
   const Vec3 beside = apart(lead, "");

@@ -33,7 +33,7 @@ void compare_seekers(const Scene& scene, Self& self, const datalink::Mate& mate,
   const Kinematics& own = self.kinematics;
   const Vec3 path =
       position_at(mate, scene.time - kLevelAge) - (own.position - kLevelAge * own.velocity);
-  const Vec3 offset{dot(path, own.north), dot(path, own.east), dot(path, own.down)};
+  const Vec3 offset = to_ned(own, path);
   for (std::uint32_t i = 0; i < message.seeker_count; ++i) {
     const datalink::SharedSeeker& theirs = message.seekers[i];
     const RwrWarning* ours = find(self.rwr, theirs.emitter);

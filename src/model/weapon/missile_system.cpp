@@ -249,8 +249,7 @@ void MissileSystem::commit(sim::World&, const sim::StepInfo&, std::span<const si
 void move_missile(const MissileType& type, const Library& library, double time, double dt,
                   Kinematics& k, MissileState& state) {
   const Air air = library.environment.atmosphere.at(k.altitude);
-  const Vec3 wind_ned = library.environment.wind.at(k.altitude);
-  const Vec3 wind = wind_ned.x * k.north + wind_ned.y * k.east + wind_ned.z * k.down;
+  const Vec3 wind = from_ned(k, library.environment.wind.at(k.altitude));
   Flyout flyout{.position = k.position, .velocity = k.velocity, .lift = state.lift};
   fly(type, air, wind, k.down, time - state.launch_time, dt, state.wanted, flyout);
   k.position = flyout.position;
