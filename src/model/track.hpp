@@ -2,6 +2,8 @@
 #pragma once
 /// \file  What a player knows of others: a contact, which is one look of one sensor before any
 /// filter, and a track, a filtered estimate built from contacts.
+#include <algorithm>
+
 #include "core/field.hpp"
 
 namespace eyrie::model {
@@ -129,6 +131,17 @@ struct Track {
         field("shot_by", &Track::shot_by), field("absorbed", &Track::absorbed));
   }
 };
+
+/// Takes out of a list in a row what is `gone`, in order; the places behind it become empty.
+template <class T, std::size_t N>
+constexpr void drop_if(std::array<T, N>& items, std::uint32_t& count, const auto& gone) {
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (!gone(items[i]))
+      items[kept++] = items[i];
+  std::fill(items.begin() + kept, items.begin() + count, T{});
+  count = kept;
+}
 
 inline constexpr std::size_t kMaxTracks = 16;
 

@@ -299,12 +299,7 @@ void fuse(TrackFile& file, const track::TrackContext& context, const DatalinkMes
       now.forget_all();  // somebody may have made room for it
       if (index == kMaxTracks)
         continue;
-      const Track& fresh = file.tracks[index];
-      context.news.add({.what = track::TrackNews::What::confirmed,
-                        .bits = fresh.sources,
-                        .id = fresh.id,
-                        .truth = fresh.truth,
-                        .value = contact.range});
+      track::tell_confirmed(file.tracks[index], context);
     } else if (shared.sensed) {
       Track& track = file.tracks[index];
       if (track::take_in(track, now.of(index), theirs.place, context.ownship, context.time)) {

@@ -227,13 +227,8 @@ const RwrWarning* find(const RwrState& state, PlayerId emitter) {
 }
 
 void forget(RwrState& state, const Rwr& rwr, double time) {
-  std::uint32_t kept = 0;
-  for (std::uint32_t i = 0; i < state.count; ++i)
-    if (time - state.warnings[i].time <= rwr.memory)
-      state.warnings[kept++] = state.warnings[i];
-  for (std::uint32_t i = kept; i < state.count; ++i)
-    state.warnings[i] = {};
-  state.count = kept;
+  drop_if(state.warnings, state.count,
+          [&](const RwrWarning& warning) { return time - warning.time > rwr.memory; });
 }
 
 }  // namespace eyrie::model::sensor

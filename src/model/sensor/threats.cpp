@@ -60,21 +60,14 @@ bool ThreatUpdate::note(const Sighting& sighting) {
 }
 
 void forget(Threats& threats, const ThreatRules& rules, double time) {
-  std::uint32_t kept = 0;
-  for (std::uint32_t i = 0; i < threats.count; ++i) {
-    InboundMissile missile = threats.missiles[i];
-    if (time - missile.time > rules.memory)
-      continue;
+  drop_if(threats.missiles, threats.count, [&](InboundMissile& missile) {
     if (missile.has_position && time - missile.position_time > rules.memory) {
       missile.has_position = 0;
       missile.elevation = missile.range = missile.position_time = 0;
       missile.closing = 0;
     }
-    threats.missiles[kept++] = missile;
-  }
-  for (std::uint32_t i = kept; i < threats.count; ++i)
-    threats.missiles[i] = {};
-  threats.count = kept;
+    return time - missile.time > rules.memory;
+  });
 }
 
 }  // namespace eyrie::model::sensor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Missiles that one aircraft believes are coming for it.
-#include "core/field.hpp"
+#include "model/track.hpp"
 
 namespace eyrie::model::sensor {
 

@@ -47,39 +47,28 @@ void know_aircraft(const Scene& scene, Self& self) {
   // those known before keep their names; the others go
   std::array<bool, kMaxTracks> known{};
   TrackFile& file = self.tracks;
-  std::uint32_t kept = 0;
-  for (std::uint32_t i = 0; i < file.count; ++i) {
+  const track::TrackContext context = self.context(scene.time);
+  drop_if(file.tracks, file.count, [&](Track& track) {
     std::size_t n = 0;
     const auto items = nearest.items();
-    while (n < items.size() && scene.ids[items[n].row] != file.tracks[i].truth)
+    while (n < items.size() && scene.ids[items[n].row] != track.truth)
       ++n;
     if (n == items.size() || known[n]) {
-      self.news.add({.what = track::TrackNews::What::lost,
-                     .bits = file.tracks[i].sources,
-                     .id = file.tracks[i].id,
-                     .truth = file.tracks[i].truth,
-                     .value = scene.time - file.tracks[i].time});
-      continue;
+      track::tell_lost(track, context);
+      return true;
     }
     known[n] = true;
-    file.tracks[kept++] = true_track(scene, self, items[n].row, file.tracks[i]);
-  }
-  for (std::uint32_t i = kept; i < file.count; ++i)
-    file.tracks[i] = {};
-  file.count = kept;
+    track = true_track(scene, self, items[n].row, track);
+    return false;
+  });
 
-  const track::TrackContext context = self.context(scene.time);
   for (std::size_t n = 0; n < nearest.items().size(); ++n) {
     if (known[n])
       continue;
     Track fresh{.first_time = scene.time, .seen_time = kNever};
     const Track track = true_track(scene, self, nearest.items()[n].row, fresh);
     if (const std::size_t i = track::add_track(file, context, track); i != kMaxTracks)
-      self.news.add({.what = track::TrackNews::What::confirmed,
-                     .bits = kFromTruth,
-                     .id = file.tracks[i].id,
-                     .truth = track.truth,
-                     .value = norm(track.position - self.kinematics.position)});
+      track::tell_confirmed(file.tracks[i], context);
   }
 }
 

@@ -50,13 +50,14 @@ bool glimpsed(const Visual& visual, const Eyes& eyes, const Kinematics& other,
                                : acquisition_probability(visual, search, area, range));
 }
 
-bool recognizes(const Visual& visual, const Eyes& eyes, const Kinematics& other,
-                const Signature& signature, double range) {
+Identity recognized(const Visual& visual, const Eyes& eyes, const Kinematics& other,
+                    const Signature& signature, double range, Side own, Side side) {
   if (apparent_diameter(largest_silhouette(signature), range) * 1.001 < visual.identify_angle)
-    return false;  // however it lies
+    return Identity::unknown;  // however it lies
   const Vec3 towards = (eyes.position - other.position) / range;
   const double area = silhouette(signature, body_axes(other), towards);
-  return apparent_diameter(area, range) >= visual.identify_angle;
+  return apparent_diameter(area, range) >= visual.identify_angle ? identity_of(own, side)
+                                                                 : Identity::unknown;
 }
 
 Identity identity_of(Side own, Side other) {

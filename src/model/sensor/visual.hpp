@@ -104,9 +104,9 @@ enum class Cue : std::uint8_t { none, cued, held };
 [[nodiscard]] bool glimpsed(const Visual& visual, const Eyes& eyes, const Kinematics& other,
                             const Signature& signature, double range, Cue cue, double u);
 
-/// Whether it is large enough there to see what it is.
-[[nodiscard]] bool recognizes(const Visual& visual, const Eyes& eyes, const Kinematics& other,
-                              const Signature& signature, double range);
+/// What it is to somebody of side `own`; unknown if it is too small there to see what it is.
+[[nodiscard]] Identity recognized(const Visual& visual, const Eyes& eyes, const Kinematics& other,
+                                  const Signature& signature, double range, Side own, Side side);
 /// What somebody is to whom recognizes it, by the sides of both.
 [[nodiscard]] Identity identity_of(Side own, Side other);
 

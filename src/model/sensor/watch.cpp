@@ -58,10 +58,6 @@ class KnownDirections {
   const Eyes& eyes_;
 };
 
-bool below_horizon(const Eyes& eyes, double altitude, double range) {
-  return range > horizon_range(eyes.altitude, altitude, 1);
-}
-
 /// Whether the target in row `j` is seen in this look.
 bool sees(const Scene& scene, const Self& self, const Eyes& eyes, const KnownDirections& known,
           std::size_t j, double range) {
@@ -69,13 +65,6 @@ bool sees(const Scene& scene, const Self& self, const Eyes& eyes, const KnownDir
   const Cue cue = known.cue(About::aircraft, other.position - eyes.position, range);
   return glimpsed(*self.suite.visual, eyes, other, *scene.suite(j).signature, range, cue,
                   scene.draw(self.id, Stream::visual, scene.ids[j]).uniform());
-}
-
-Identity recognized(const Scene& scene, const Self& self, const Eyes& eyes, std::size_t j,
-                    double range) {
-  const bool close =
-      recognizes(*self.suite.visual, eyes, scene.kinematics[j], *scene.suite(j).signature, range);
-  return close ? identity_of(self.fit.side, scene.fit[j].side) : Identity::unknown;
 }
 
 /// How far what was seen is from a place, in standard deviations, squared; an eye errs by a share
@@ -109,7 +98,9 @@ void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
     Contact& contact = contacts[count++];
     contact = estimate(visual, eyes, scene.kinematics[c.row].position, other,
                        scene.draw(self.id, Stream::visual_noise, other));
-    contact.identity = recognized(scene, self, eyes, c.row, std::sqrt(c.distance2));
+    contact.identity =
+        recognized(visual, eyes, scene.kinematics[c.row], *scene.suite(c.row).signature,
+                   std::sqrt(c.distance2), self.fit.side, scene.fit[c.row].side);
   }
   find_mates(
       scene, self, std::span(contacts).first(count),
@@ -131,7 +122,8 @@ void look_for_missiles(const Scene& scene, Self& self, const Eyes& eyes,
     const double range = norm(sight);
     // shots of the own side are called on the radio
     if (state.side == self.fit.side || range > visual.range || range <= 0 ||
-        !in_view(visual, eyes, sight / range) || below_horizon(eyes, missile.altitude, range))
+        !in_view(visual, eyes, sight / range) ||
+        range > horizon_range(eyes.altitude, missile.altitude, 1))
       continue;
 
     const bool burning =

@@ -12,14 +12,15 @@ double range_of(const Track& track, const TrackContext& context) {
   return norm(position_at(track, context.time) - context.ownship.position);
 }
 
+void tell(const Track& track, const TrackContext& context, TrackNews::What what, std::uint8_t bits,
+          double value) {
+  context.news.add(
+      {.what = what, .bits = bits, .id = track.id, .truth = track.truth, .value = value});
+}
+
 void drop(TrackFile& file, std::size_t index, const TrackContext& context) {
-  const Track& track = file.tracks[index];
-  if (track.confirmed)
-    context.news.add({.what = TrackNews::What::lost,
-                      .bits = track.sources,
-                      .id = track.id,
-                      .truth = track.truth,
-                      .value = context.time - track.time});
+  if (file.tracks[index].confirmed)
+    tell_lost(file.tracks[index], context);
   const auto end = file.tracks.begin() + file.count;
   std::copy(file.tracks.begin() + static_cast<std::ptrdiff_t>(index) + 1, end,
             file.tracks.begin() + static_cast<std::ptrdiff_t>(index));
@@ -30,11 +31,7 @@ void confirm_if_due(Track& track, const TrackContext& context) {
   if (track.confirmed || track.hits < context.tracker.confirm_hits)
     return;
   track.confirmed = 1;
-  context.news.add({.what = TrackNews::What::confirmed,
-                    .bits = track.sources,
-                    .id = track.id,
-                    .truth = track.truth,
-                    .value = range_of(track, context)});
+  tell_confirmed(track, context);
 }
 
 /// What the look said about who it is: the eye is believed always, a reply or its absence counts.
@@ -186,11 +183,16 @@ void identify(Track& track, Identity identity, const TrackContext& context) {
     return;
   track.identity = identity;
   track.unanswered = 0;
-  context.news.add({.what = TrackNews::What::identified,
-                    .bits = static_cast<std::uint8_t>(identity),
-                    .id = track.id,
-                    .truth = track.truth,
-                    .value = range_of(track, context)});
+  tell(track, context, TrackNews::What::identified, static_cast<std::uint8_t>(identity),
+       range_of(track, context));
+}
+
+void tell_confirmed(const Track& track, const TrackContext& context) {
+  tell(track, context, TrackNews::What::confirmed, track.sources, range_of(track, context));
+}
+
+void tell_lost(const Track& track, const TrackContext& context) {
+  tell(track, context, TrackNews::What::lost, track.sources, context.time - track.time);
 }
 
 std::size_t add_track(TrackFile& file, const TrackContext& context, const Track& track) {

@@ -57,6 +57,10 @@ void upkeep(TrackFile& file, const TrackContext& context);
 /// Adds a track, gives it its id and returns its index; kMaxTracks if there was no room for it.
 std::size_t add_track(TrackFile& file, const TrackContext& context, const Track& track);
 
+/// Tell that a track is believed from now on, or that it is none any more.
+void tell_confirmed(const Track& track, const TrackContext& context);
+void tell_lost(const Track& track, const TrackContext& context);
+
 /// Sets who a track is and tells it, if that is new.
 void identify(Track& track, Identity identity, const TrackContext& context);
 

@@ -27,14 +27,13 @@ void look_up(const sensor::Visual& visual, const Watcher& watcher, const Sky& sk
       continue;
     const Contact contact =
         estimate(visual, eyes, other.position, sky.ids[j], draw(Stream::visual_noise));
-    const bool close = sensor::recognizes(visual, eyes, other, signature, range);
     sight(lookout, eyes.position,
           {.position = contact.position,
            .time = watcher.time,
            .seen_time = watcher.time,
            .truth = sky.ids[j],
-           .identity =
-               close ? sensor::identity_of(watcher.side, sky.fit[j].side) : Identity::unknown});
+           .identity = sensor::recognized(visual, eyes, other, signature, range, watcher.side,
+                                          sky.fit[j].side)});
   }
   forget(lookout, watcher.time);
 }
@@ -89,13 +88,8 @@ TrackFile as_tracks(const Lookout& lookout) {
 }
 
 void forget(Lookout& lookout, double time) {
-  std::uint32_t kept = 0;
-  for (std::uint32_t i = 0; i < lookout.count; ++i)
-    if (time - lookout.sighted[i].time <= kSightedMemory)
-      lookout.sighted[kept++] = lookout.sighted[i];
-  for (std::uint32_t i = kept; i < lookout.count; ++i)
-    lookout.sighted[i] = {};
-  lookout.count = kept;
+  drop_if(lookout.sighted, lookout.count,
+          [&](const Sighted& seen) { return time - seen.time > kSightedMemory; });
 }
 
 }  // namespace eyrie::model::vehicle
