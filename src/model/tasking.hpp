@@ -72,10 +72,9 @@ struct VoteChange {
 
 /// A place to fly to instead of the route.
 struct PointToFly {
-  Vec3f position{};    ///< m, local frame
-  float altitude = 0;  ///< m
-  std::uint32_t more =
-      0;  ///< of an order: 1 if it follows the points there are, else it replaces them
+  Vec3f position{};        ///< m, local frame
+  float altitude = 0;      ///< m
+  std::uint32_t more = 0;  ///< of an order: 1 it follows the points there are, 0 replaces them
   static constexpr auto fields() {
     return field_list(field("position", &PointToFly::position, "m"),
                       field("altitude", &PointToFly::altitude, "m"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  An aircraft's lift, drag, engine and limits.
+#include <algorithm>
+
 #include "model/environment.hpp"
 #include "model/flight/autopilot.hpp"
 #include "model/flight/laero.hpp"
@@ -57,7 +59,12 @@ struct Engine {
               "from military power to full afterburner")};
   }
 
-  [[nodiscard]] Thrust thrust_at(double mach, double altitude) const;
+  [[nodiscard]] Thrust thrust_at(double mach, double altitude) const {
+    const double dry = military(mach, altitude);
+    return {.idle = idle_share * dry,
+            .military = dry,
+            .afterburner = std::max(afterburner(mach, altitude), dry)};
+  }
 
   /// Thrust (N) at a throttle in [0, 2]: linear from idle to military power and on to afterburner.
   template <class Real>

@@ -7,8 +7,7 @@ namespace eyrie::model::flight {
 
 /// How far along its flight's routes an aircraft is.
 struct NavState {
-  std::uint16_t leg =
-      0;  ///< index of the waypoint flown to; the number of waypoints: past the last
+  std::uint16_t leg = 0;   ///< index of the waypoint flown to; their number: past the last
   std::uint8_t route = 0;  ///< index into Flight::routes
   std::uint8_t reserved = 0;
 

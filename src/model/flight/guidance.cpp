@@ -42,11 +42,6 @@ Flat leg_direction(const Kinematics& own, const Route& route, std::size_t leg) {
 
 }  // namespace
 
-AirVector through_air(double ground_north, double ground_east, const Vec3& wind_ned) {
-  const Flat air{ground_north - wind_ned.x, ground_east - wind_ned.y};
-  return {bearing(air), air.size()};
-}
-
 double crab(double course, double speed, const Vec3& wind_ned) {
   if (wind_ned.x == 0 && wind_ned.y == 0)
     return wrap_pi(course);
@@ -71,10 +66,10 @@ Guidance follow_guidance(const GuidanceGains& gains, const Kinematics& own,
   const double across = gains.follow_across * dot(to_place, forward.right());
   const Flat ground = along * forward + across * forward.right();
 
-  const AirVector air = through_air(ground.north, ground.east, wind_ned);
-  return {.heading = air.speed > 0 ? air.heading : own.heading,
+  const Flat air{ground.north - wind_ned.x, ground.east - wind_ned.y};
+  return {.heading = air.size() > 0 ? bearing(air) : own.heading,
           .altitude = order.altitude,
-          .speed = std::clamp(air.speed, gains.follow_min_speed, gains.follow_max_speed)};
+          .speed = std::clamp(air.size(), gains.follow_min_speed, gains.follow_max_speed)};
 }
 
 Guidance loiter_guidance(const GuidanceGains& gains, const Kinematics& own, const Vec3& center,

@@ -118,12 +118,6 @@ struct FollowOrder {
 [[nodiscard]] NavState advance_leg(const GuidanceGains& gains, const Kinematics& own,
                                    const Route& route, NavState nav, double turn_radius);
 
-/// Through the air, from over the ground: the heading and speed that make good a ground velocity
-/// (north, east; m/s).
-struct AirVector {
-  double heading, speed;
-};
-[[nodiscard]] AirVector through_air(double ground_north, double ground_east, const Vec3& wind_ned);
 /// The heading at which a true airspeed makes good a course over the ground.
 [[nodiscard]] double crab(double course, double speed, const Vec3& wind_ned);
 

@@ -23,8 +23,6 @@ class SensorSystem final : public sim::System {
   void perceive(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
   void act(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
 
-  [[nodiscard]] const SensorSuite& suite(std::size_t type) const { return suites_[type]; }
-
  private:
   [[nodiscard]] Scene scene(const sim::World& world, const sim::StepInfo& info) const;
 

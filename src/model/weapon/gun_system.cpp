@@ -48,9 +48,6 @@ void end_burst(PlayerId who, const Vec3& place, GunState& gun, sim::Outbox& out)
 
 }  // namespace
 
-GunSystem::GunSystem(const AircraftColumns& aircraft, std::shared_ptr<const Library> library)
-    : aircraft_(aircraft), library_(std::move(library)) {}
-
 void GunSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                          sim::Outbox& out) const {
   const auto ids = world.ids(aircraft_.table);

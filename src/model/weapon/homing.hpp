@@ -40,10 +40,9 @@ struct TargetScene {
 
 /// Where a seeker searches.
 struct SearchVolume {
-  Vec3 direction{1, 0, 0};  ///< unit vector: middle of the field of view
-  std::optional<Vec3> place =
-      std::nullopt;   ///< m, where a radar expects the target; without it the angle decides
-  PlayerId except{};  ///< who is not looked at
+  Vec3 direction{1, 0, 0};         ///< unit vector: middle of the field of view
+  std::optional<Vec3> place = {};  ///< m, of a radar: near it; without it the angle decides
+  PlayerId except{};               ///< who is not looked at
 };
 
 /// An aircraft that a seeker sees.

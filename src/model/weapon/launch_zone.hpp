@@ -32,8 +32,7 @@ struct EmploymentZone {
   double r_max = 0;  ///< reaches a target that keeps its course
   double r_tr = 0;   ///< turn and run: reaches it even so
   double r_ne = 0;  ///< no escape: reaches it whatever it does of these, a beam and a dive (Escape)
-  double r_min =
-      0;  ///< nearer, it can not arm, turn or stay clear in time; nobody escapes up to r_ne
+  double r_min = 0;  ///< nearer, it cannot arm, turn or get clear in time; no escape up to r_ne
 
   [[nodiscard]] bool possible() const { return r_max > r_min; }
   [[nodiscard]] double operator[](ZoneRange of) const {

@@ -25,10 +25,6 @@ bool locked_on(const SeekerType& seeker, const Kinematics& own, PlayerId self, c
 
 }  // namespace
 
-StoresSystem::StoresSystem(const AircraftColumns& aircraft, const MissileColumns& missiles,
-                           std::shared_ptr<const Library> library)
-    : aircraft_(aircraft), missiles_(missiles), library_(std::move(library)) {}
-
 void StoresSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                        sim::Outbox& out) const {
   const auto ids = world.ids(aircraft_.table);

@@ -14,7 +14,8 @@ namespace eyrie::model::weapon {
 class StoresSystem final : public sim::System {
  public:
   StoresSystem(const AircraftColumns& aircraft, const MissileColumns& missiles,
-               std::shared_ptr<const Library> library);
+               std::shared_ptr<const Library> library)
+      : aircraft_(aircraft), missiles_(missiles), library_(std::move(library)) {}
 
   [[nodiscard]] std::string_view name() const override { return "stores"; }
   [[nodiscard]] TableId table() const override { return aircraft_.table; }
@@ -73,7 +74,8 @@ void move_missile(const MissileType& type, const Library& library, double time, 
 /// hit, not in the time of the event.
 class GunSystem final : public sim::System {
  public:
-  GunSystem(const AircraftColumns& aircraft, std::shared_ptr<const Library> library);
+  GunSystem(const AircraftColumns& aircraft, std::shared_ptr<const Library> library)
+      : aircraft_(aircraft), library_(std::move(library)) {}
 
   [[nodiscard]] std::string_view name() const override { return "gun"; }
   [[nodiscard]] TableId table() const override { return aircraft_.table; }
