@@ -44,16 +44,39 @@ VehicleSystem::VehicleSystem(const VehicleColumns& vehicles, const AircraftColum
     signatures_.push_back(&library_->aircraft[i].signature);
 }
 
-void VehicleSystem::look(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const {
+void VehicleSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                             sim::Outbox&) const {
   const sim::World& truth = world;
   const Sky sky{truth.ids(aircraft_.table), truth.rows(aircraft_.fit),
                 truth.rows(aircraft_.kinematics), signatures_};
   const auto ids = truth.ids(vehicles_.table);
   const auto fit = truth.rows(vehicles_.fit);
   const auto kinematics = truth.rows(vehicles_.kinematics);
+  const auto sent = truth.rows(vehicles_.sent);
+  const auto states = world.rows(vehicles_.datalink);
   const auto lookout = world.rows(vehicles_.lookout);
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Suite& suite = suites_[fit[i].type];
+    // what mates tell
+    if (suite.datalink != nullptr) {
+      datalink::DatalinkState& state = states[i];
+      if (state.count == 0)
+        start(state, library_->flights[fit[i].flight].members, ids[i], info.time());
+      for (std::uint32_t m = 0; m < state.count; ++m) {
+        datalink::Mate& mate = state.members[m];
+        const auto row = truth.row(vehicles_.table, mate.id);
+        if (m == state.self || !row)
+          continue;
+        const datalink::DatalinkMessage* message = datalink::receive(
+            mate, *suite.datalink, sent[*row],
+            reaches(*suite.datalink, kinematics[i], kinematics[*row]), info.time(),
+            Draw(info.seed, ids[i], Stream::datalink, info.step, mate.id.value));
+        if (message)
+          warn(lookout[i], kinematics[i].position, *message);
+      }
+      datalink::check_silence(state, *suite.datalink, info.time());
+    }
+    // what the own eyes see
     if (suite.visual != nullptr && sim::due(info.step, ids[i], suite.visual_steps))
       look_up(*suite.visual,
               {.own = kinematics[i],
@@ -64,42 +87,6 @@ void VehicleSystem::look(sim::World& world, const sim::StepInfo& info, sim::Chun
                .time = info.time()},
               sky, lookout[i]);
   }
-}
-
-void VehicleSystem::listen(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const {
-  const sim::World& truth = world;
-  const auto ids = truth.ids(vehicles_.table);
-  const auto fit = truth.rows(vehicles_.fit);
-  const auto kinematics = truth.rows(vehicles_.kinematics);
-  const auto sent = truth.rows(vehicles_.sent);
-  const auto states = world.rows(vehicles_.datalink);
-  const auto lookout = world.rows(vehicles_.lookout);
-  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-    const datalink::Datalink* datalink = suites_[fit[i].type].datalink;
-    if (datalink == nullptr)
-      continue;
-    datalink::DatalinkState& state = states[i];
-    if (state.count == 0)
-      start(state, library_->flights[fit[i].flight].members, ids[i], info.time());
-    for (std::uint32_t m = 0; m < state.count; ++m) {
-      datalink::Mate& mate = state.members[m];
-      const auto row = truth.row(vehicles_.table, mate.id);
-      if (m == state.self || !row)
-        continue;
-      const datalink::DatalinkMessage* message = datalink::receive(
-          mate, *datalink, sent[*row], reaches(*datalink, kinematics[i], kinematics[*row]),
-          info.time(), Draw(info.seed, ids[i], Stream::datalink, info.step, mate.id.value));
-      if (message)
-        warn(lookout[i], kinematics[i].position, *message);
-    }
-    datalink::check_silence(state, *datalink, info.time());
-  }
-}
-
-void VehicleSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-                             sim::Outbox&) const {
-  listen(world, info, chunk);
-  look(world, info, chunk);
 }
 
 void VehicleSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,

@@ -27,8 +27,6 @@ class VehicleSystem final : public sim::System {
     const datalink::Datalink* datalink = nullptr;
     sim::Every visual_steps, datalink_steps;
   };
-  void look(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const;
-  void listen(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const;
 
   VehicleColumns vehicles_;
   AircraftColumns aircraft_;
