@@ -95,14 +95,4 @@ struct Bearing {
 inline constexpr double kRadioEarth = 4.0 / 3.0;
 inline constexpr double kEarthRadius = 6371008.8;  ///< m, mean radius R1 of WGS-84 (Moritz 2000)
 
-/// 0 below `low`, 1 above `high`, a cubic with level ends between.
-[[nodiscard]] constexpr double smooth_step(double low, double high, double x) {
-  if (x <= low)
-    return 0;
-  if (x >= high)
-    return 1;
-  const double t = (x - low) / (high - low);
-  return t * t * (3 - 2 * t);
-}
-
 }  // namespace eyrie::model

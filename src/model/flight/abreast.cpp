@@ -23,9 +23,9 @@ void fly_laero(const Sky& sky, Flyer& flyer) {
   const Vec3 wind = sky.environment.wind.at(k.altitude);
   const double turn_limit =
       laero.turn_rate_limit(k.speed, std::max(command.load_factor, kLeastLoadFactor));
-  const RouteToFly plan{.routes = flyer.routes,
-                        .turn_radius = turn_radius(k.speed, turn_limit, laero.heading_time)};
-  Guidance wanted = guide(airframe.autopilot, k, command, plan, flying, wind, flyer.time, sky.dt);
+  Guidance wanted =
+      guide(airframe.autopilot, k, command, flyer.routes,
+            turn_radius(k.speed, turn_limit, laero.heading_time), flying, wind, flyer.time, sky.dt);
   if (wanted.climb)
     wanted.altitude += k.speed * math::sin(*wanted.climb) * laero.altitude_time;
   const auto most = static_cast<float>(1 / math::cos(laero.max_bank));

@@ -106,9 +106,8 @@ template <class Real, bool kAlike = math::kLanes<Real> == 1>
   });
   const auto wanted = all(kIndices, [&](std::size_t i) {
     const Flyer& f = flyers[i];
-    return guide(f.model->airframe().autopilot, *f.kinematics, *f.command,
-                 {.routes = f.routes, .turn_radius = math::lane(radius, i)}, *f.flying, winds[i],
-                 f.time, sky.dt);
+    return guide(f.model->airframe().autopilot, *f.kinematics, *f.command, f.routes,
+                 math::lane(radius, i), *f.flying, winds[i], f.time, sky.dt);
   });
   for (std::size_t i = 0; i < kCount; ++i)
     if (flyers[i].tells_energy)

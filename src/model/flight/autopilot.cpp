@@ -31,21 +31,20 @@ Guidance follow(const Autopilot& autopilot, const Kinematics& own, const Command
 }  // namespace
 
 Guidance guide(const Autopilot& autopilot, const Kinematics& own, const Command& command,
-               const RouteToFly& plan, Flying& memory, const Vec3& wind_ned, double time,
-               double dt) {
+               std::span<const Route> routes, double turn_radius, Flying& memory,
+               const Vec3& wind_ned, double time, double dt) {
   const GuidanceGains& gains = autopilot.guidance;
 
   // which leg: another route starts at its first
   if (command.mode == AutopilotMode::route && command.route != memory.nav.route)
     memory.nav = {.leg = 0, .route = command.route};
-  const Route* route =
-      memory.nav.route < plan.routes.size() ? &plan.routes[memory.nav.route] : nullptr;
+  const Route* route = memory.nav.route < routes.size() ? &routes[memory.nav.route] : nullptr;
   if (route)
-    memory.nav = advance_leg(gains, own, *route, memory.nav, plan.turn_radius);
+    memory.nav = advance_leg(gains, own, *route, memory.nav, turn_radius);
   if (command.mode != AutopilotMode::follow)
     memory.following = 0;
   const double asked = command.loiter_radius > 0 ? command.loiter_radius : gains.loiter_radius;
-  const double radius = std::max(asked, plan.turn_radius);  // a circle that it can fly
+  const double radius = std::max(asked, turn_radius);  // a circle that it can fly
 
   switch (command.mode) {
     case AutopilotMode::route:

@@ -55,18 +55,13 @@ struct Autopilot {
   }
 };
 
-/// What guide() needs besides gains and command.
-struct RouteToFly {
-  std::span<const Route> routes;  ///< of the flight
-  double turn_radius = 0;         ///< m, of its tightest turn: where turns onto a leg begin
-};
-
 /// Turns a command into heading, altitude and speed. Keeps the leg, and the low-passed heading of
 /// who is followed, in `memory`; `time` and `dt` in s. The leg counts on in every mode, so that a
-/// wingman who becomes the lead knows where the flight is going. Circles are no tighter than it
-/// turns.
+/// wingman who becomes the lead knows where the flight is going. `routes` are those of the flight;
+/// at `turn_radius` (m, of its tightest turn) turns onto a leg begin, and no circle is tighter.
 [[nodiscard]] Guidance guide(const Autopilot& autopilot, const Kinematics& own,
-                             const Command& command, const RouteToFly& plan, Flying& memory,
-                             const Vec3& wind_ned, double time, double dt);
+                             const Command& command, std::span<const Route> routes,
+                             double turn_radius, Flying& memory, const Vec3& wind_ned, double time,
+                             double dt);
 
 }  // namespace eyrie::model::flight

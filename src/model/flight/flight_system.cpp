@@ -46,11 +46,9 @@ FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const
           math::Lanes<2>(static_cast<double>(count)) *
           math::Lanes<2>(math::Lanes<2>::Vector{library_->missiles[i].motor.launch_mass(),
                                                 library_->missiles[i].carriage_drag_area});
-  for (std::size_t i = 0; i < library_->aircraft.size(); ++i) {
-    const AircraftType& type = library_->aircraft[i];
-    EYRIE_THROW_UNLESS(type.index.airframe < models_.size(), "an aircraft without an airframe");
-    types_.push_back({type.index.airframe, type.dynamics});
-  }
+  for (std::size_t i = 0; i < library_->aircraft.size(); ++i)
+    EYRIE_THROW_UNLESS(library_->aircraft[i].index.airframe < models_.size(),
+                       "an aircraft without an airframe");
 }
 
 Load FlightSystem::load_of(const weapon::Stores& stores) const {
@@ -104,9 +102,9 @@ void FlightSystem::move_together(std::span<const sim::Share> shares) const {
     for (std::size_t i = share.chunk.begin; i < share.chunk.end; ++i) {
       if (fit[i].remote != 0)
         continue;
-      const Type& type = types_[fit[i].type];
+      const AircraftType& type = library_->aircraft[fit[i].type];
       Flyer& f = flyers[count];
-      f = {.model = &models_[type.airframe],
+      f = {.model = &models_[type.index.airframe],
            .kinematics = &kinematics[i],
            .flying = &flying[i],
            .propulsion = &propulsion[i],

@@ -34,15 +34,9 @@ class FlightSystem final : public sim::System {
   [[nodiscard]] Load load_of(const weapon::Stores& stores) const;
 
  private:
-  /// What a step needs of an AircraftType.
-  struct Type {
-    std::uint16_t airframe;
-    Dynamics dynamics;
-  };
   AircraftColumns columns_;
   std::shared_ptr<const Library> library_;
   sim::Every period_;
-  std::vector<Type> types_;
   std::vector<PointMass> models_;               ///< one per airframe
   std::vector<std::span<const Route>> routes_;  ///< by flight; none of who has no flight
   std::vector<math::Lanes<2>> loads_;           ///< mass and drag area of a station

@@ -77,7 +77,7 @@ void listen_for_seekers(const Scene& scene, Self& self) {
     return;
   const Rwr& rwr = *self.suite.rwr;
   const RwrAntenna antenna = aim(rwr, self.kinematics, self.fit.side);
-  ThreatUpdate threats(self.threats, kThreatRules, scene.time);
+  ThreatUpdate threats(self.threats, scene.time);
   for (std::size_t m = 0; m < scene.missile_emission.size(); ++m) {
     const Emission& emission = scene.missile_emission[m];
     const double strength = hear(rwr, antenna, emission);

@@ -8,6 +8,16 @@
 namespace eyrie::model::sensor {
 namespace {
 
+/// 0 below `low`, 1 above `high`, a cubic with level ends between.
+constexpr double smooth_step(double low, double high, double x) {
+  if (x <= low)
+    return 0;
+  if (x >= high)
+    return 1;
+  const double t = (x - low) / (high - low);
+  return t * t * (3 - 2 * t);
+}
+
 /// The share of an echo that has the Doppler shift of the main-lobe clutter, in [0, 1]: of whatever
 /// moves slowly along the line of sight over the ground, when the beam behind it meets the ground.
 /// Stimson, Introduction to Airborne Radar, 2nd ed., ch. 24.

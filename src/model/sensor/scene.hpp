@@ -149,9 +149,6 @@ void find_mates(const Scene& scene, const Self& self, std::span<Contact> contact
   }
 }
 
-/// How sightings and hearings of missiles become threats; one rule for everybody.
-inline constexpr ThreatRules kThreatRules{};
-
 /// Points the radar and decides between search and track; reads what the pilot asked for.
 void steer_radar(const Scene& scene, Self& self);
 /// One frame of the search, or one look at the locked target.

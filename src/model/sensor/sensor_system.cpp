@@ -126,7 +126,7 @@ void perceive_one(const Scene& scene, Self& self) {
     perceive_truth(scene, self);
   } else {
     track::upkeep(self.tracks, self.context(scene.time));
-    forget(self.threats, kThreatRules, scene.time);
+    forget(self.threats, scene.time);
   }
   if (suite.rwr != nullptr)
     forget(self.rwr, *suite.rwr, scene.time);

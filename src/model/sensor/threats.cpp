@@ -4,11 +4,18 @@
 #include <algorithm>
 
 namespace eyrie::model::sensor {
+namespace {
+
+constexpr double kGate = radians(30);  // rad, bearings closer than this may be the same missile
+constexpr double kMemory = 4;          // s, a threat that nobody has perceived for so long is gone
+constexpr double kLate = 1;            // s, a missile may come so much later than its signal told
+
+}  // namespace
 
 bool ThreatUpdate::note(const Sighting& sighting) {
   // the same seeker, or the nearest bearing that is free; the one known longest wins a tie
   std::uint32_t best = kMaxThreats;
-  double best_turn = rules_.gate;
+  double best_turn = kGate;
   for (std::uint32_t i = 0; i < threats_.count; ++i) {
     const InboundMissile& known = threats_.missiles[i];
     if (sighting.emitter && known.emitter) {
@@ -41,7 +48,7 @@ bool ThreatUpdate::note(const Sighting& sighting) {
   missile.sources = static_cast<std::uint8_t>(missile.sources | sighting.source);
   if (sighting.emitter) {
     missile.emitter = sighting.emitter;
-    if (!sighting.begins_anew || time_ > missile.arrival + rules_.late)
+    if (!sighting.begins_anew || time_ > missile.arrival + kLate)
       missile.arrival = sighting.arrival;
   }
 
@@ -59,14 +66,14 @@ bool ThreatUpdate::note(const Sighting& sighting) {
   return is_new;
 }
 
-void forget(Threats& threats, const ThreatRules& rules, double time) {
+void forget(Threats& threats, double time) {
   drop_if(threats.missiles, threats.count, [&](InboundMissile& missile) {
-    if (missile.has_position && time - missile.position_time > rules.memory) {
+    if (missile.has_position && time - missile.position_time > kMemory) {
       missile.has_position = 0;
       missile.elevation = missile.range = missile.position_time = 0;
       missile.closing = 0;
     }
-    return time - missile.time > rules.memory;
+    return time - missile.time > kMemory;
   });
 }
 

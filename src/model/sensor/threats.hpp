@@ -71,32 +71,23 @@ struct Sighting {
   bool begins_anew = false;
 };
 
-/// How sightings become threats.
-struct ThreatRules {
-  double gate = radians(30);  ///< rad, bearings closer than this may be the same missile
-  double memory = 4;          ///< s, a threat that nobody has perceived for so long is gone
-  double late = 1;            ///< s, a missile may come so much later than its signal told
-};
-
 /// The threats of one look of one sensor: each threat takes at most one sighting of it, so two
 /// missiles on one bearing stay two. Missiles are told apart by the fingerprints of their seekers,
 /// and else by direction alone.
 class ThreatUpdate {
  public:
-  ThreatUpdate(Threats& threats, const ThreatRules& rules, double time)
-      : threats_(threats), rules_(rules), time_(time) {}
+  ThreatUpdate(Threats& threats, double time) : threats_(threats), time_(time) {}
 
   /// True if the missile was not known before. When all places are taken the sighting is dropped.
   bool note(const Sighting& sighting);
 
  private:
   Threats& threats_;
-  const ThreatRules& rules_;
   double time_;
   std::uint32_t used_ = 0;  ///< bit i: threat i has had its sighting
 };
 
-/// Drops what has not been perceived for longer than the memory.
-void forget(Threats& threats, const ThreatRules& rules, double time);
+/// Drops what nobody has perceived for 4 s.
+void forget(Threats& threats, double time);
 
 }  // namespace eyrie::model::sensor

@@ -6,8 +6,6 @@
 namespace eyrie::model::sensor {
 namespace {
 
-constexpr ThreatRules kRules{.gate = radians(30), .memory = 4};
-
 Sighting heard(double degrees) {
   return {.bearing = radians(degrees), .source = kThreatFromRwr};
 }
@@ -22,8 +20,8 @@ Sighting seen(double degrees, double range) {
 
 TEST(ThreatUpdate, TellsANewMissileOnce) {
   Threats threats;
-  EXPECT_TRUE(ThreatUpdate(threats, kRules, 1).note(heard(40)));
-  EXPECT_FALSE(ThreatUpdate(threats, kRules, 2).note(heard(55)));
+  EXPECT_TRUE(ThreatUpdate(threats, 1).note(heard(40)));
+  EXPECT_FALSE(ThreatUpdate(threats, 2).note(heard(55)));
   ASSERT_EQ(threats.count, 1u);
   EXPECT_NEAR(degrees(threats.missiles[0].bearing), 55, 1e-9);
   EXPECT_EQ(threats.missiles[0].first_time, 1);
@@ -32,10 +30,10 @@ TEST(ThreatUpdate, TellsANewMissileOnce) {
 
 TEST(ThreatUpdate, KeepsTwoOnOneBearingApartWithinOneLook) {
   Threats threats;
-  ThreatUpdate look(threats, kRules, 1);
+  ThreatUpdate look(threats, 1);
   EXPECT_TRUE(look.note(heard(40)));
   EXPECT_TRUE(look.note(heard(45)));
-  ThreatUpdate next(threats, kRules, 2);
+  ThreatUpdate next(threats, 2);
   EXPECT_FALSE(next.note(heard(41)));
   EXPECT_FALSE(next.note(heard(44)));
   EXPECT_EQ(threats.count, 2u);
@@ -43,27 +41,27 @@ TEST(ThreatUpdate, KeepsTwoOnOneBearingApartWithinOneLook) {
 
 TEST(ThreatUpdate, JoinsWhatIsHeardWithWhatIsSeen) {
   Threats threats;
-  ThreatUpdate(threats, kRules, 1).note(heard(170));
-  EXPECT_FALSE(ThreatUpdate(threats, kRules, 1.1).note(seen(-170, 4000)));
+  ThreatUpdate(threats, 1).note(heard(170));
+  EXPECT_FALSE(ThreatUpdate(threats, 1.1).note(seen(-170, 4000)));
   ASSERT_EQ(threats.count, 1u);
   EXPECT_EQ(threats.missiles[0].sources, kThreatFromRwr | kThreatFromSight);
   EXPECT_EQ(threats.missiles[0].range, 4000);
   EXPECT_EQ(threats.missiles[0].closing, 1);
   // the eye's bearing is kept while it is fresh
-  ThreatUpdate(threats, kRules, 2).note(heard(165));
+  ThreatUpdate(threats, 2).note(heard(165));
   EXPECT_NEAR(degrees(threats.missiles[0].bearing), -170, 1e-9);
 }
 
 TEST(ThreatUpdate, WhatIsHeardNeverHasARange) {
   Threats threats;
-  ThreatUpdate(threats, kRules, 1).note(heard(40));
+  ThreatUpdate(threats, 1).note(heard(40));
   EXPECT_EQ(threats.missiles[0].has_position, 0);
   EXPECT_EQ(threats.missiles[0].range, 0);
 }
 
 TEST(ThreatUpdate, DropsWhatItHasNoPlaceFor) {
   Threats threats;
-  ThreatUpdate look(threats, kRules, 1);
+  ThreatUpdate look(threats, 1);
   for (std::size_t i = 0; i < kMaxThreats; ++i)
     EXPECT_TRUE(look.note(heard(80.0 * static_cast<double>(i))));
   EXPECT_FALSE(look.note(heard(-40)));
@@ -75,8 +73,8 @@ TEST(ThreatUpdate, DoesNotReadTheTruth) {
   Sighting first = heard(40), other = heard(50);
   first.truth = PlayerId{7};
   other.truth = PlayerId{8};
-  ThreatUpdate(threats, kRules, 1).note(first);
-  EXPECT_FALSE(ThreatUpdate(threats, kRules, 2).note(other));
+  ThreatUpdate(threats, 1).note(first);
+  EXPECT_FALSE(ThreatUpdate(threats, 2).note(other));
   EXPECT_EQ(threats.missiles[0].truth, PlayerId{8});
 }
 
@@ -86,11 +84,11 @@ TEST(ThreatUpdate, TellsSeekersApartByTheirFingerprints) {
   one.emitter = PlayerId{7};
   two.emitter = PlayerId{8};
   two.arrival = 12;
-  EXPECT_TRUE(ThreatUpdate(threats, kRules, 1).note(one));
-  EXPECT_TRUE(ThreatUpdate(threats, kRules, 1.2).note(two));
-  EXPECT_FALSE(ThreatUpdate(threats, kRules, 1.4).note(eye));
+  EXPECT_TRUE(ThreatUpdate(threats, 1).note(one));
+  EXPECT_TRUE(ThreatUpdate(threats, 1.2).note(two));
+  EXPECT_FALSE(ThreatUpdate(threats, 1.4).note(eye));
   one.bearing = radians(170);
-  EXPECT_FALSE(ThreatUpdate(threats, kRules, 1.6).note(one)) << "the same, wherever it is now";
+  EXPECT_FALSE(ThreatUpdate(threats, 1.6).note(one)) << "the same, wherever it is now";
   ASSERT_EQ(threats.count, 2u);
   EXPECT_EQ(threats.missiles[0].emitter, one.emitter);
   EXPECT_EQ(threats.missiles[0].arrival, 0);
@@ -102,7 +100,7 @@ TEST(ThreatUpdate, KeepsAnArrivalWhileTheLineOfItsSignalBeginsAnew) {
   Sighting missile = heard(40);
   missile.emitter = PlayerId{7};
   const auto arrival = [&](double time) {
-    ThreatUpdate(threats, kRules, time).note(missile);
+    ThreatUpdate(threats, time).note(missile);
     return threats.missiles[0].arrival;
   };
   missile.arrival = 12;
@@ -121,10 +119,10 @@ TEST(ThreatUpdate, KeepsAnArrivalWhileTheLineOfItsSignalBeginsAnew) {
 
 TEST(ForgetThreats, DropsTheOldAndTheOldRange) {
   Threats threats;
-  ThreatUpdate(threats, kRules, 0).note(seen(10, 3000));
-  ThreatUpdate(threats, kRules, 0).note(heard(100));
-  ThreatUpdate(threats, kRules, 3).note(heard(10));
-  forget(threats, kRules, 4.5);
+  ThreatUpdate(threats, 0).note(seen(10, 3000));
+  ThreatUpdate(threats, 0).note(heard(100));
+  ThreatUpdate(threats, 3).note(heard(10));
+  forget(threats, 4.5);
   ASSERT_EQ(threats.count, 1u);
   EXPECT_EQ(threats.missiles[0].has_position, 0) << "its range is older than the memory";
   EXPECT_EQ(threats.missiles[0].range, 0);

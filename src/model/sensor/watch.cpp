@@ -114,7 +114,7 @@ void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
 void look_for_missiles(const Scene& scene, Self& self, const Eyes& eyes,
                        const KnownDirections& known) {
   const Visual& visual = *self.suite.visual;
-  ThreatUpdate threats(self.threats, kThreatRules, scene.time);
+  ThreatUpdate threats(self.threats, scene.time);
   for (std::size_t m = 0; m < scene.missile_ids.size(); ++m) {
     const weapon::MissileState& state = scene.missile_state[m];
     const Kinematics& missile = scene.missile_kinematics[m];
