@@ -138,8 +138,8 @@ std::span<const EventValue> event_values(EventKind kind) {
   if (event_name(kind).empty())
     return {};
   const auto& values = kInfos[static_cast<std::size_t>(kind) - 1].values;
-  return std::span(values).first(static_cast<std::size_t>(
-      std::count_if(values.begin(), values.end(), [](const auto& v) { return !v.name.empty(); })));
+  const auto end = std::ranges::find(values, std::string_view(), &EventValue::name);
+  return std::span(values.begin(), end);
 }
 
 }  // namespace eyrie::model

@@ -16,8 +16,7 @@ bool held(const Track& track, double time) {
 }
 
 std::uint8_t engagement(const Track& track, const OwnReport& own) {
-  const bool shot = std::any_of(own.shot_at.begin(), own.shot_at.end(),
-                                [&](TrackId at) { return track.named(at); });
+  const bool shot = std::ranges::any_of(own.shot_at, [&](TrackId at) { return track.named(at); });
   return static_cast<std::uint8_t>((track.named(own.target) ? kTargeted : 0) |
                                    (shot ? kShotAt : 0));
 }
@@ -84,7 +83,7 @@ void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks,
   for (std::uint32_t i = 0; i < message.track_count; ++i)
     message.tracks[i] = share(tracks.tracks[merits[i].index], own, tracker, ahead);
   EYRIE_ASSERT(own.seekers.size() <= kSharedSeekers);
-  std::copy(own.seekers.begin(), own.seekers.end(), message.seekers.begin());
+  std::ranges::copy(own.seekers, message.seekers.begin());
   message.seeker_count = static_cast<std::uint32_t>(own.seekers.size());
   ++sent.sent;
 }

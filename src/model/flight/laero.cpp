@@ -45,22 +45,20 @@ void Laero::step(Kinematics& k, Flying& memory, const Guidance& wanted, double t
   const double acceleration =
       std::clamp((wanted_speed - k.speed) / speed_time, -max_acceleration, max_acceleration);
 
-  // the first step has no step before it
-  if (!memory.started) {
+  const auto remember = [&] {
     memory.started = 1;
     memory.last_heading_rate = heading_rate;
     memory.last_pitch_rate = pitch_change;
     memory.last_acceleration = acceleration;
     memory.last_velocity = k.velocity;
-  }
+  };
+  if (!memory.started)  // the first step has no step before it
+    remember();
   k.position += dt * (1.5 * k.velocity - 0.5 * memory.last_velocity);
   k.heading = wrap_pi(k.heading + increment(heading_rate, memory.last_heading_rate, dt));
   k.pitch += increment(pitch_change, memory.last_pitch_rate, dt);
   k.speed = std::max(k.speed + increment(acceleration, memory.last_acceleration, dt), 0.0);
-  memory.last_heading_rate = heading_rate;
-  memory.last_pitch_rate = pitch_change;
-  memory.last_acceleration = acceleration;
-  memory.last_velocity = k.velocity;
+  remember();
 
   // the bank of a coordinated turn, for show
   const double bank = math::atan(speed * heading_rate / kGravity);

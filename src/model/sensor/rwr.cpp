@@ -219,11 +219,9 @@ bool show(RwrState& state, const RwrWarning& warning) {
 }
 
 const RwrWarning* find(const RwrState& state, PlayerId emitter) {
-  const auto end = state.warnings.begin() + state.count;
-  const auto found = std::find_if(state.warnings.begin(), end, [&](const RwrWarning& warning) {
-    return warning.emitter == emitter;
-  });
-  return found == end ? nullptr : &*found;
+  const auto shown = std::span(state.warnings).first(state.count);
+  const auto found = std::ranges::find(shown, emitter, &RwrWarning::emitter);
+  return found == shown.end() ? nullptr : &*found;
 }
 
 void forget(RwrState& state, const Rwr& rwr, double time) {

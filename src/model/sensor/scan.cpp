@@ -126,12 +126,6 @@ std::optional<double> detected(const Scene& scene, const Self& self, const Looki
                   mean_of(self, looking, *scene.suite(j).signature, scene.kinematics[j]));
 }
 
-void lose_lock(const Scene& scene, Self& self) {
-  self.radar.mode = RadarMode::search;
-  self.radar.locked = {};
-  self.radar.search_until = scene.time + 1 / self.suite.radar->scan_rate;
-}
-
 /// The echo nearest to where the designated track is believed to be, among what is detected in one
 /// beam width around it.
 void acquire(const Scene& scene, Self& self, const Looking& looking) {
@@ -272,10 +266,9 @@ void scan(const Scene& scene, Self& self) {
 
   // who jams within the scale and was not seen through his noise gives a direction
   for (const Jam& jam : looking.jamming.items()) {
-    const auto known = [&](const Candidate& c) { return c.row == jam.row; };
     if (jam.noise > kStrobe && count < contacts.size() &&
         covers(antenna, jam.sight, norm2(jam.sight)) &&
-        std::none_of(found.items().begin(), found.items().end(), known))
+        std::ranges::find(found.items(), jam.row, &Candidate::row) == found.items().end())
       contacts[count++] =
           strobe(contact_with(scene, self, jam.row, RadarMode::search, jam.noise, level),
                  self.kinematics.position, radar.instrumented_range);
@@ -292,8 +285,7 @@ void track_target(const Scene& scene, Self& self) {
   // the range gate rests on one echo; it is there, or the lock lives on memory for a while
   std::optional<double> signal_to_noise, jam;
   FalseEcho off;
-  const auto row = self.radar.locked ? scene.world.row(scene.table, self.radar.locked)
-                                     : std::optional<std::uint32_t>{};
+  const auto row = scene.world.row(scene.table, self.radar.locked);
   if (row) {
     const Vec3 sight = scene.kinematics[*row].position - self.kinematics.position;
     if (within_gimbal(looking.antenna, sight, norm2(sight))) {
@@ -314,7 +306,9 @@ void track_target(const Scene& scene, Self& self) {
       contact = strobe(contact, self.kinematics.position, radar.instrumented_range);
     track::update(self.tracks, self.context(scene.time), std::span(&contact, 1));
   } else if (scene.time - self.radar.lock_time > radar.lock_memory) {
-    lose_lock(scene, self);
+    self.radar.mode = RadarMode::search;
+    self.radar.locked = {};
+    self.radar.search_until = scene.time + 1 / radar.scan_rate;
   }
 }
 
@@ -325,8 +319,8 @@ double jamming_of(const SensorSuite& suite, const RwrState& rwr) {
   if (suite.jammer == nullptr)
     return 0;
   const auto tracks = [](const RwrWarning& w) { return w.kind != EmissionKind::search; };
-  const auto end = rwr.warnings.begin() + rwr.count;
-  if (suite.jammer->when_tracked && std::none_of(rwr.warnings.begin(), end, tracks))
+  if (suite.jammer->when_tracked &&
+      std::ranges::none_of(std::span(rwr.warnings).first(rwr.count), tracks))
     return 0;
   return suite.jammer->density();
 }
@@ -361,9 +355,7 @@ Emission radiate(const Scene& scene, std::size_t row, const RadarState& state,
   // the beam rests on the locked echo, or on the track while the echo is looked for
   emission.kind = EmissionKind::track;
   emission.cos_half_angle = math::cos(radar.beam_width / 2);
-  const auto locked =
-      state.locked ? scene.world.row(scene.table, state.locked) : std::optional<std::uint32_t>{};
-  if (locked) {
+  if (const auto locked = scene.world.row(scene.table, state.locked)) {
     emission.dwell = state.locked;
     emission.boresight = normalized(scene.kinematics[*locked].position - own.position, own.north);
   } else if (const Track* track = find(tracks, state.designated)) {

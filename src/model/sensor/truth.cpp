@@ -100,11 +100,9 @@ void know_missiles(const Scene& scene, Self& self) {
     if (opening < 0)
       inbound.arrival = scene.time - c.distance2 / opening;
 
-    const auto end = before.missiles.begin() + before.count;
-    const auto known = std::find_if(before.missiles.begin(), end, [&](const InboundMissile& old) {
-      return old.truth == inbound.truth;
-    });
-    if (known != end)
+    const auto old = std::span(before.missiles).first(before.count);
+    const auto known = std::ranges::find(old, inbound.truth, &InboundMissile::truth);
+    if (known != old.end())
       inbound.first_time = known->first_time;
     else
       tell_missile(self, {.bearing = inbound.bearing, .truth = inbound.truth});

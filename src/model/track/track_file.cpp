@@ -221,7 +221,7 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
   for (std::size_t i = 0; i < file.count; ++i) {
     hostile |= (file.tracks[i].identity == Identity::hostile ? 1u : 0u) << i;
     const Vec3 position = position_at(file.tracks[i], context.time);
-    const bool near = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+    const bool near = std::ranges::any_of(contacts, [&](const Contact& c) {
       return norm2(c.position - position) <= reach2(context.tracker, c);
     });
     if (near)

@@ -53,10 +53,8 @@ void sight(Lookout& lookout, const Vec3& eyes, const Sighted& seen) {
     lookout.sighted[lookout.count++] = seen;
     return;
   }
-  const auto begin = lookout.sighted.begin(), end = begin + lookout.count;
-  const auto place = std::max_element(begin, end, [&](const Sighted& a, const Sighted& b) {
-    return norm2(a.position - eyes) < norm2(b.position - eyes);
-  });
+  const auto place = std::ranges::max_element(
+      lookout.sighted, {}, [&](const Sighted& known) { return norm2(known.position - eyes); });
   if (norm2(seen.position - eyes) < norm2(place->position - eyes))
     *place = seen;
 }

@@ -124,7 +124,7 @@ class Search {
  private:
   bool succeeds(double range) {
     engagement_.range = range;
-    return std::all_of(escapes_.begin(), escapes_.end(), [&](Escape escape) {
+    return std::ranges::all_of(escapes_, [&](Escape escape) {
       engagement_.escape = escape;
       return engage(type_, atmosphere_, engagement_).success(type_);
     });
@@ -236,15 +236,11 @@ ZoneTable fly_zone(const MissileType& type, unsigned workers, const ZoneProgress
 
 std::string zone_search_bits() {
   std::string bits;
-  append_bits(bits, kAspect);
-  append_bits(bits, kAltitude);
-  append_bits(bits, kClimb);
-  append_bits(bits, kShooterSpeed);
-  append_bits(bits, kTargetSpeed);
-  append_bits(bits, kOffBoresight);
-  append_bits(bits, std::array{kFarthestOff, kLowest, kNearest, kFarthest, kStep, kFarTolerance,
-                               kNearTolerance, kFirstGuess.r_max, kFirstGuess.r_min,
-                               kEscapeLoadFactor, kVersion});
+  const auto append = [&](const auto&... numbers) { (append_bits(bits, numbers), ...); };
+  append(
+      kAspect, kAltitude, kClimb, kShooterSpeed, kTargetSpeed, kOffBoresight,
+      std::array{kFarthestOff, kLowest, kNearest, kFarthest, kStep, kFarTolerance, kNearTolerance,
+                 kFirstGuess.r_max, kFirstGuess.r_min, kEscapeLoadFactor, kVersion});
   return bits;
 }
 

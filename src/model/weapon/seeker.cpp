@@ -67,9 +67,8 @@ SeekerLook measure(const SeekerType& seeker, const SeekerView& view, const LineO
       const double b = sigma * noise.normal();
       return a * level + b * upright;
     };
-    // the target is no point: its bright center wanders, which is an angle that grows with 1 /
-    // range
-    // a look at the launch itself may be a rounding error before it
+    // the target is no point: its bright center wanders, an angle that grows with 1 / range; a look
+    // at the launch itself may be a rounding error before it
     const double kept = math::exp(-std::max(dt, 0.0) / seeker.glint_time);
     glint = kept * perpendicular(glint, los.direction) +
             aside(seeker.glint * std::sqrt(1 - kept * kept));
