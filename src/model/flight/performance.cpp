@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/performance.hpp"
 
-#include <limits>
-
 #include "model/flight/equations.hpp"
 
 namespace eyrie::model::flight {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kMilitary = 1;  // throttle
 
 double thrust_of(const FlightCondition& c, Power power) {
@@ -39,7 +36,7 @@ double Performance::excess_power(double mach, double altitude, Power power,
                                  double load_factor) const {
   const FlightCondition c = at(mach, altitude);
   if (c.lift_limit < load_factor)
-    return -kNever;
+    return -math::kInfinity;
   return (thrust_of(c, power) - c.drag(load_factor)) / (c.mass * kGravity) * mach *
          c.speed_of_sound;
 }
@@ -81,7 +78,7 @@ double Performance::acceleration_time(double altitude, double from, double to) c
     const FlightCondition c = at(from + 0.01 * (i + 0.5), altitude);
     const double acceleration = (c.thrust.afterburner - c.drag(1)) / c.mass;
     if (acceleration <= 0)
-      return kNever;
+      return math::kInfinity;
     time += 0.01 * c.speed_of_sound / acceleration;
   }
   return time;
@@ -96,7 +93,7 @@ double Performance::cruise_flow(double mach, double altitude) const {
   const double drag = c.drag(1);
   return drag <= c.thrust.military && c.lift_limit >= 1
              ? flow(c, Engine::throttle_for(c.thrust, drag, false))
-             : kNever;
+             : math::kInfinity;
 }
 
 Cruise Performance::best_cruise(double lowest, double highest) const {
@@ -119,8 +116,8 @@ Cruise Performance::best_cruise(double lowest, double highest) const {
         const double burnt = piece.cruise_flow(mach, altitude);
         seconds += share / burnt;
         range += share / burnt * mach * standard_air(altitude).speed_of_sound;
-        if (burnt == kNever)
-          range = -kNever;
+        if (burnt == math::kInfinity)
+          range = -math::kInfinity;
       }
       if (range > best.range)
         best = {.range = range, .altitude = altitude, .mach = mach, .flow = 10 * share / seconds};

@@ -12,15 +12,6 @@ constexpr double kShort = 0.02;
 /// What does not make the determinant of a covariance smaller than so much is not worth it.
 constexpr double kWorthIt = 0.9;
 
-}  // namespace
-
-Transition straight_on(const Motion& motion, double dt) {
-  const double q = motion.wander * motion.wander;  // m^2/s^3: so much variance of velocity a second
-  return {.dt = dt, .noise = {q * dt * dt * dt / 3, q * dt * dt / 2, q * dt}};
-}
-
-namespace {
-
 /// An acceleration that is a first-order Markov process: R. A. Singer, "Estimating Optimal Tracking
 /// Filter Performance for Manned Maneuvering Targets", IEEE Trans. AES-6 (1970) 473; Bar-Shalom et
 /// al., sec. 8.2.3.
@@ -51,6 +42,11 @@ Transition turn(const Motion& motion, double dt, double x, double kept) {
 }
 
 }  // namespace
+
+Transition straight_on(const Motion& motion, double dt) {
+  const double q = motion.wander * motion.wander;  // m^2/s^3: so much variance of velocity a second
+  return {.dt = dt, .noise = {q * dt * dt * dt / 3, q * dt * dt / 2, q * dt}};
+}
 
 Interval interval(const Motion& motion, double dt) {
   const double x = dt / motion.maneuver_memory;
