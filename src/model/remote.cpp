@@ -112,6 +112,8 @@ std::span<const sim::OrderKind> RemoteSystem::accepts() const {
 
 void RemoteSystem::apply_order(sim::World& world, const sim::StepInfo& info,
                                const sim::Order& order, sim::Outbox& out) const {
+  Heard* const heard = find(world, aircraft_, heard_, order.player);
+  const bool flies = heard && heard->ended == 0;
   switch (order.kind.as<RemoteOrder>()) {
     case RemoteOrder::launch:
       return launch(world, info, order, out);
@@ -119,50 +121,42 @@ void RemoteSystem::apply_order(sim::World& world, const sim::StepInfo& info,
       return detonate(world, info, order, out);
     case RemoteOrder::leave:
       return leave(world, info, order, out);
-    case RemoteOrder::rounds: {
-      const auto [shooter, damage] = order.as<RemoteRounds>();
-      if (const auto row = world.row(aircraft_.table, order.player);
-          row && damage > 0 && damage <= 100 && world.rows(aircraft_.fit)[*row].remote == 0)
-        out.emit({.kind = EventKind::hit,
-                  .who = shooter,
-                  .whom = order.player,
-                  .place = world.rows(aircraft_.kinematics)[*row].position,
-                  .values = {damage, kNothing}});
+    case RemoteOrder::rounds:
+      if (const auto [shooter, damage] = order.as<RemoteRounds>(); damage > 0 && damage <= 100)
+        if (const auto row = world.row(aircraft_.table, order.player);
+            row && world.rows(aircraft_.fit)[*row].remote == 0)
+          out.emit({.kind = EventKind::hit,
+                    .who = shooter,
+                    .whom = order.player,
+                    .place = world.rows(aircraft_.kinematics)[*row].position,
+                    .values = {damage, kNothing}});
       return;
-    }
-    default:
-      break;
-  }
-  Heard* heard = find(world, aircraft_, heard_, order.player);
-  if (!heard || heard->ended != 0)
-    return;
-  switch (order.kind.as<RemoteOrder>()) {
     case RemoteOrder::place:
-      if (const auto said = order.as<RemotePlace>();
-          bounded(parts(said.position), kFar) && bounded(std::array{said.since}, kLongest)) {
+      if (const auto said = order.as<RemotePlace>(); flies && bounded(parts(said.position), kFar) &&
+                                                     bounded(std::array{said.since}, kLongest)) {
         heard->position = said.position;
         heard->time = info.time() + said.since;
         heard->algorithm = said.algorithm;
         heard->here = 1;
       }
-      break;
+      return;
     case RemoteOrder::motion:
       if (const auto said = order.as<RemoteMotion>();
-          bounded(said.velocity, kFast) && bounded(said.acceleration, kHard)) {
+          flies && bounded(said.velocity, kFast) && bounded(said.acceleration, kHard)) {
         heard->velocity = wide(said.velocity);
         heard->acceleration = wide(said.acceleration);
       }
-      break;
+      return;
     case RemoteOrder::attitude:
       if (const auto said = order.as<RemoteAttitude>();
-          bounded(said.angles, 7) && bounded(said.spin, 100)) {
+          flies && bounded(said.angles, 7) && bounded(said.spin, 100)) {
         heard->angles = wide(said.angles);
         heard->spin = wide(said.spin);
       }
-      break;
-    default:
+      return;
+    case RemoteOrder::beam:
       if (const auto said = order.as<RemoteBeam>();
-          bounded(std::array{said.azimuth, said.elevation}, 7) &&
+          flies && bounded(std::array{said.azimuth, said.elevation}, 7) &&
           said.kind <= EmissionKind::missile_seeker) {
         heard->azimuth = said.azimuth;
         heard->elevation = said.elevation;
@@ -190,10 +184,8 @@ void RemoteSystem::launch(sim::World& world, const sim::StepInfo& info, const si
     return;
   missiles_.set_defaults(world, born->row);
   Kinematics& k = world.rows(missiles_.kinematics)[born->row];
-  k = nowhere(library_->reference);
   const auto shooter = world.row(aircraft_.table, said.shooter);
-  if (shooter)
-    k = world.rows(aircraft_.kinematics)[*shooter];
+  k = shooter ? world.rows(aircraft_.kinematics)[*shooter] : nowhere(library_->reference);
   world.rows(missiles_.state)[born->row] = {.launch_time = info.time(),
                                             .shooter = said.shooter,
                                             .intended = said.target,

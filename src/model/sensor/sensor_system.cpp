@@ -89,6 +89,8 @@ void publish(const Self& self) {
 void use_radar(const Scene& scene, Self& self, bool upkeep_due) {
   if (upkeep_due)
     steer_radar(scene, self);
+  if (self.fit.privileged != 0)
+    return;
   const RadarMode mode = self.radar.mode;
   if (mode == RadarMode::search && due(scene.step, self.id, self.suite.scan_steps))
     scan(scene, self);
@@ -102,12 +104,8 @@ void perceive_one(const Scene& scene, Self& self) {
   const bool privileged = self.fit.privileged != 0;
 
   // what comes in
-  if (suite.radar != nullptr && (!privileged || upkeep_due)) {
-    if (privileged)
-      steer_radar(scene, self);
-    else
-      use_radar(scene, self, upkeep_due);
-  }
+  if (suite.radar != nullptr)
+    use_radar(scene, self, upkeep_due);
   if (suite.irst != nullptr && !privileged && due(scene.step, self.id, suite.irst_steps))
     search_infrared(scene, self);
   if (suite.visual != nullptr && !privileged && due(scene.step, self.id, suite.visual_steps))
