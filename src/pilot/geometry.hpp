@@ -35,6 +35,8 @@ struct Formation {
   return {-out * formation.behind, place * formation.abreast, out * formation.below};
 }
 
+using eyrie::from_ned, eyrie::to_ned;
+
 /// True bearing in (-pi, pi] of a NED vector; 0 if it has no horizontal part.
 [[nodiscard]] inline double bearing_of(const Vec3& ned) {
   return wrap_pi(math::atan2(ned.y, ned.x));
