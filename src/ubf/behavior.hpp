@@ -278,11 +278,17 @@ template <class B>
 template <class B>
 inline constexpr NodeType kNodeType = detail::node_type<B>();
 
-/// Makes a node of a registered type in code; arguments go to its constructor.
+/// Makes a node of a registered type in code; arguments are its children, or go to its constructor.
 ///   auto root = make<WinnerTakesAll<S, A>>(make<Pursue>(), make<Navigate>());
 template <class Node, class... Arguments>
 [[nodiscard]] std::unique_ptr<Node> make(Arguments&&... arguments) {
-  auto node = std::make_unique<Node>(std::forward<Arguments>(arguments)...);
+  std::unique_ptr<Node> node;
+  if constexpr (std::constructible_from<Node, Arguments...>) {
+    node = std::make_unique<Node>(std::forward<Arguments>(arguments)...);
+  } else {
+    node = std::make_unique<Node>();
+    node->adopt(std::forward<Arguments>(arguments)...);
+  }
   node->set_type(kNodeType<Node>);
   return node;
 }

@@ -16,16 +16,14 @@ class Composite : public Behavior<State, Action> {
   using Child = std::unique_ptr<Node>;
   using Children = std::vector<Child>;
 
-  Composite() = default;
-  explicit Composite(Children children) { adopt(std::move(children)); }
-  template <std::convertible_to<Child>... C>
-  requires(sizeof...(C) > 0) explicit Composite(C... children) {
-    (this->children_.push_back(std::move(children)), ...);
-  }
   /// Gives a node its children while the tree is being built.
   void adopt(Children children) {
     this->children_.assign(std::make_move_iterator(children.begin()),
                            std::make_move_iterator(children.end()));
+  }
+  template <std::convertible_to<Child>... C>
+  void adopt(C... children) {
+    (this->children_.push_back(std::move(children)), ...);
   }
 
  protected:
@@ -134,8 +132,6 @@ class Composite : public Behavior<State, Action> {
 template <class State, class Action>
 class Voting : public Composite<State, Action> {
  public:
-  using Composite<State, Action>::Composite;
-
   std::optional<float> vote;  ///< what goes up votes exactly this
   float vote_scale = 1;       ///< the vote that goes up is multiplied by this
 
@@ -176,7 +172,6 @@ template <class State, class Action>
 class Arbiter : public Voting<State, Action> {
  public:
   static constexpr Kind kind = Kind::arbiter;
-  using Voting<State, Action>::Voting;
 
   [[nodiscard]] bool stands() const noexcept override { return true; }
 };
@@ -187,7 +182,6 @@ class Control : public Voting<State, Action> {
  public:
   static constexpr Kind kind = Kind::control;
   static constexpr std::size_t kMostInABitSet = 64;  ///< children of a node that notes them in bits
-  using Voting<State, Action>::Voting;
 
  protected:
   [[nodiscard]] std::string too_many(std::string_view name) const {
@@ -202,7 +196,6 @@ class Decorator : public Composite<State, Action> {
  public:
   static constexpr Kind kind = Kind::decorator;
   static constexpr std::array<std::string_view, 1> slots{"child"};
-  using Composite<State, Action>::Composite;
 
   [[nodiscard]] bool stands() const noexcept override { return this->any_child_stands(); }
 

@@ -127,9 +127,6 @@ inline constexpr auto kBlended = [](const auto& f, std::size_t, std::size_t sett
 /// The base of arbiters that mix the proposals of all children.
 template <class State, class Action>
 class Mixing : public Arbiter<State, Action> {
- public:
-  using Arbiter<State, Action>::Arbiter;
-
  protected:
   /// Asks every child into `next`; `use(child, next)` those that neither fail nor abstain. If it
   /// answers false, the child has failed after all.
@@ -155,9 +152,6 @@ class Mixing : public Arbiter<State, Action> {
 /// The base of arbiters that blend all proposals field by field.
 template <class State, class Action>
 class Blending : public Mixing<State, Action> {
- public:
-  using Mixing<State, Action>::Mixing;
-
  protected:
   /// Asks every child. A field of a child that voted v has the weight `weigh(field, v)`.
   template <template <class> class SumOf, class Weigh>

@@ -19,7 +19,6 @@ class Gently final : public ubf::Decorator<State, Action> {
     return std::tuple{
         param("most", &Gently::most_, range(1, 12), "g, the most that its child turns with")};
   }
-  using Decorator::Decorator;
 
   Status tick(const Tick& t, Proposal& out) const override {
     const Status answer = ask_child(t, out);
@@ -44,7 +43,6 @@ class Stubborn final : public ubf::WithMemory<ubf::Decorator<State, Action>, Stu
   static constexpr auto params() {
     return std::tuple{param("patience", &Stubborn::patience_, "s", positive(), "for so long")};
   }
-  using WithMemory::WithMemory;
 
   Status tick(const Tick& t, Proposal& out) const override {
     auto& m = memory(t);

@@ -15,7 +15,6 @@ class RunnerUp final : public Arbiter<State, Action> {
  public:
   static constexpr std::string_view type_name = "runner_up";
   static constexpr std::string_view help = "the proposal with the second highest vote";
-  using Arbiter<State, Action>::Arbiter;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     Status best_status = Status::failure, status = Status::failure;

@@ -58,7 +58,6 @@ class LearnedVote final : public ubf::Arbiter<State, Action> {
             .items(1, 1000)
             .required());
   }
-  using ubf::Arbiter<State, Action>::Arbiter;
 
   [[nodiscard]] std::size_t memory_bytes() const noexcept override;
   [[nodiscard]] std::string problem() const override;

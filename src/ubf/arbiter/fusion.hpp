@@ -20,7 +20,6 @@ class PerField final : public Mixing<State, Action> {
  public:
   static constexpr std::string_view type_name = "per_field";
   static constexpr std::string_view help = "each field from the highest vote that set it";
-  using Mixing<State, Action>::Mixing;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     FieldMerge<Action> merge;
@@ -118,7 +117,6 @@ class Fusion final : public Blending<State, Action> {
                              param("conflicts", &Fusion::conflicts,
                                    "fields on which proposals differ are blended or dropped"));
   }
-  using Blending<State, Action>::Blending;
 
   std::optional<std::uint32_t> top;
   Conflicts conflicts = Conflicts::blend;
@@ -191,7 +189,6 @@ class PaperFusion final : public Blending<State, Action> {
                                         "least vote of a proposal whose orders are taken")
                                       .required());
   }
-  using Blending<State, Action>::Blending;
 
   float high_vote = 0;
 

@@ -11,8 +11,6 @@ namespace eyrie::ubf {
 template <class State, class Action>
 class OverGrid : public Mixing<State, Action> {
  public:
-  using Mixing<State, Action>::Mixing;
-
   Grid<Action> grid;
 
   [[nodiscard]] static constexpr auto params() {
@@ -153,7 +151,6 @@ class VoteGrid final : public OverGrid<State, Action> {
   static constexpr std::string_view type_name = "vote_grid";
   static constexpr std::string_view help =
       "the candidate of a grid that gets most of the children's votes";
-  using OverGrid<State, Action>::OverGrid;
 
   [[nodiscard]] std::string problem() const override {
     for (const auto& axis : this->grid.axes())
@@ -185,7 +182,6 @@ class Utility final : public OverGrid<State, Action> {
  public:
   static constexpr std::string_view type_name = "utility";
   static constexpr std::string_view help = "the command with the highest expected utility";
-  using Base::Base;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     typename Base::Sums utility, expected;
@@ -247,7 +243,6 @@ class MotorSchema final : public Mixing<State, Action> {
         param("unit_vote", &MotorSchema::unit_vote, positive(1000), "a vote of this is a gain of 1")
             .required());
   }
-  using Mixing<State, Action>::Mixing;
 
   FieldChoice<Action, blend::Angle> direction;
   FieldChoice<Action, blend::Mean> magnitude;

@@ -10,7 +10,6 @@ template <class State, class Action, NodeMemory Memory>
 class Ranked : public WithMemory<Arbiter<State, Action>, Memory> {
  public:
   static constexpr std::string_view decided_by = "rank";
-  using WithMemory<Arbiter<State, Action>, Memory>::WithMemory;
 
  protected:
   struct Choice {
@@ -58,7 +57,6 @@ class Priority final : public Ranked<State, Action, PriorityMemory> {
         param("interruptible", &Priority::interruptible,
               "one per child: may those before it take over while it runs? none: all"));
   }
-  using Ranked<State, Action, PriorityMemory>::Ranked;
 
   std::vector<bool> interruptible;
 
@@ -111,7 +109,6 @@ class Suppress final : public Ranked<State, Action, SuppressMemory<Action>> {
                                      "how long the higher layer's last proposal goes on to "
                                      "replace"));
   }
-  using Ranked<State, Action, SuppressMemory<Action>>::Ranked;
 
   double hold = 0;  ///< s
 
@@ -155,8 +152,6 @@ struct InhibitMemory {
 ///   inhibit: {by: bingo, hold: 10 s, child: pursue}
 template <class State, class Action>
 class Inhibit final : public WithMemory<Arbiter<State, Action>, InhibitMemory> {
-  using Base = WithMemory<Arbiter<State, Action>, InhibitMemory>;
-
  public:
   static constexpr std::string_view type_name = "inhibit";
   static constexpr std::string_view help = "a higher layer blocks a lower one, for a while";
@@ -165,7 +160,6 @@ class Inhibit final : public WithMemory<Arbiter<State, Action>, InhibitMemory> {
     return Inhibit::with_vote(param("hold", &Inhibit::hold, "s", range(0, 1e6),
                                     "how long the lower layer stays blocked afterwards"));
   }
-  using Base::Base;
 
   double hold = 0;  ///< s
 

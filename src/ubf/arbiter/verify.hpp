@@ -30,7 +30,6 @@ class Verify final : public Arbiter<State, Action> {
         param("fallback", &Verify::fallback,
               "the last child goes up unchecked, but only if no other proposal passes"));
   }
-  using Arbiter<State, Action>::Arbiter;
 
   Bounds<Action> bounds;
   std::vector<std::string> refuse;

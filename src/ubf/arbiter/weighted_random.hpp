@@ -20,8 +20,6 @@ struct WeightedRandomMemory {
 ///   weighted_random: {keep: 20 s, children: [pursue, navigate]}
 template <class State, class Action>
 class WeightedRandom final : public WithMemory<Arbiter<State, Action>, WeightedRandomMemory> {
-  using Base = WithMemory<Arbiter<State, Action>, WeightedRandomMemory>;
-
  public:
   static constexpr std::string_view type_name = "weighted_random";
   static constexpr std::string_view help =
@@ -31,7 +29,6 @@ class WeightedRandom final : public WithMemory<Arbiter<State, Action>, WeightedR
     return WeightedRandom::with_vote(param("keep", &WeightedRandom::keep, "s", range(0, 1e6),
                                            "how long a draw stands; 0: draws in every tick"));
   }
-  using Base::Base;
 
   double keep = 0;  ///< s
 

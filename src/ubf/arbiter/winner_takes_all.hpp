@@ -14,7 +14,6 @@ class WinnerTakesAll final : public Arbiter<State, Action> {
  public:
   static constexpr std::string_view type_name = "winner_takes_all";
   static constexpr std::string_view help = "the proposal with the highest vote";
-  using Arbiter<State, Action>::Arbiter;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     if (t.trace) [[unlikely]]
@@ -97,7 +96,6 @@ class Commitment final : public WithMemory<Arbiter<State, Action>, CommitmentMem
         param("hold", &Commitment::hold, "s", range(0, 1e6),
               "how long the last proposal of a child that fell silent is kept up"));
   }
-  using Base::Base;
 
   float margin = 0;
   double min_time = 0;  ///< s

@@ -14,8 +14,6 @@ struct BranchMemory {
 template <class State, class Action, std::size_t conditions>
 class Branching : public WithMemory<Control<State, Action>, BranchMemory> {
  public:
-  using WithMemory<Control<State, Action>, BranchMemory>::WithMemory;
-
   [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept final {
     const auto& m = this->memory(slab);
     return m.open ? static_cast<NodeIndex>(m.open - 1 + conditions) : kNone;
@@ -53,7 +51,6 @@ class IfThenElse final : public Branching<State, Action, 1> {
   static constexpr std::string_view help =
       "one of two children, as a condition says when it begins";
   static constexpr std::array<std::string_view, 3> slots{"if", "then", "else"};
-  using Branching<State, Action, 1>::Branching;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
@@ -87,7 +84,6 @@ class While final : public Branching<State, Action, 1> {
   static constexpr std::string_view type_name = "while";
   static constexpr std::string_view help = "one of two children, as a condition says in every tick";
   static constexpr std::array<std::string_view, 3> slots{"when", "do", "else"};
-  using Branching<State, Action, 1>::Branching;
 
   [[nodiscard]] bool remembers() const noexcept override { return false; }
   [[nodiscard]] bool stands() const noexcept override { return this->any_child_stands(); }
@@ -123,7 +119,6 @@ class Switch final : public Branching<State, Action, 0> {
     return Switch::with_vote(
         param("on", &Switch::on, "the state field that is looked at").required());
   }
-  using Branching<State, Action, 0>::Branching;
 
   std::string on;
 

@@ -25,8 +25,6 @@ class AtOnce : public WithMemory<Control<State, Action>, ParallelMemory> {
   using Base = WithMemory<Control<State, Action>, ParallelMemory>;
 
  public:
-  using Base::Base;
-
   std::uint32_t failure_count = 1;
 
   [[nodiscard]] std::string problem() const override {
@@ -90,7 +88,6 @@ class Parallel final : public AtOnce<State, Action> {
               "this many failures make a failure"),
         param("once", &Parallel::once, "a child that has ended is not asked again, but counts"));
   }
-  using AtOnce<State, Action>::AtOnce;
 
   std::optional<std::uint32_t> success_count;
   bool once = false;
@@ -150,7 +147,6 @@ class ParallelAll final : public AtOnce<State, Action> {
                                         range(1, Control<State, Action>::kMostInABitSet),
                                         "this many failures make a failure, when all have ended"));
   }
-  using AtOnce<State, Action>::AtOnce;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);

@@ -28,7 +28,6 @@ class RandomSelector final : public WithMemory<Control<State, Action>, RandomSel
     return RandomSelector::with_vote(param("weights", &RandomSelector::weights, positive(1e6),
                                            "one per child; none: all children alike"));
   }
-  using Base::Base;
 
   std::vector<double> weights;
 

@@ -19,8 +19,6 @@ struct ReactiveMemory {
 template <class State, class Action>
 class Reactive : public WithMemory<Control<State, Action>, ReactiveMemory> {
  public:
-  using WithMemory<Control<State, Action>, ReactiveMemory>::WithMemory;
-
   [[nodiscard]] bool remembers() const noexcept final { return false; }
   [[nodiscard]] bool stands() const noexcept final { return this->any_child_stands(); }
   [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept final {
@@ -53,7 +51,6 @@ class Selector final : public Reactive<State, Action> {
  public:
   static constexpr std::string_view type_name = "selector";
   static constexpr std::string_view help = "the first child that does not fail";
-  using Reactive<State, Action>::Reactive;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     Status status = Status::failure;
@@ -82,7 +79,6 @@ class Sequence final : public Reactive<State, Action> {
  public:
   static constexpr std::string_view type_name = "sequence";
   static constexpr std::string_view help = "one child after the other, as long as they succeed";
-  using Reactive<State, Action>::Reactive;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     Status status = Status::success;
@@ -107,9 +103,6 @@ struct ResumingMemory {
 /// again until the node itself has ended. When it ends, nothing in it goes on.
 template <class State, class Action>
 class Resuming : public WithMemory<Control<State, Action>, ResumingMemory> {
- public:
-  using WithMemory<Control<State, Action>, ResumingMemory>::WithMemory;
-
  protected:
   /// Asks from the child that was left running, while children answer `go_on`; answers what the
   /// last one asked did.
@@ -142,7 +135,6 @@ class SelectorWithMemory final : public Resuming<State, Action> {
   static constexpr std::string_view type_name = "selector_with_memory";
   static constexpr std::string_view help =
       "the first child that does not fail; a running child is not interrupted";
-  using Resuming<State, Action>::Resuming;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     return this->resume(t, out, Status::failure);
@@ -161,7 +153,6 @@ class SequenceWithMemory final : public Resuming<State, Action> {
   static constexpr std::string_view type_name = "sequence_with_memory";
   static constexpr std::string_view help =
       "one child after the other; what has succeeded is not asked again";
-  using Resuming<State, Action>::Resuming;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     return this->resume(t, out, Status::success);

@@ -20,8 +20,6 @@ constexpr auto names_of(Choose) {
 ///   for_each: {over: hostiles, child: {guard: {when: range < 10 nmi, child: pursue}}}
 template <class State, class Action>
 class ForEach final : public Decorator<State, Action> {
-  using Base = Decorator<State, Action>;
-
  public:
   static constexpr std::string_view type_name = "for_each";
   static constexpr std::string_view help = "asks its child once for each of several things";
@@ -30,7 +28,6 @@ class ForEach final : public Decorator<State, Action> {
         param("over", &ForEach::over, "the list of the state, such as tracks").required(),
         param("choose", &ForEach::choose, "the highest vote, or the first that does not fail")};
   }
-  using Base::Base;
 
   std::string over;
   Choose choose = Choose::strongest;

@@ -20,7 +20,6 @@ class Inverter final : public Decorator<State, Action> {
  public:
   static constexpr std::string_view type_name = "inverter";
   static constexpr std::string_view help = "success becomes failure and failure success";
-  using Decorator<State, Action>::Decorator;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     const Status answer = this->ask_child(t, out);
@@ -39,7 +38,6 @@ class Forcing : public Decorator<State, Action> {
   [[nodiscard]] static constexpr auto params() {
     return Lines{param("running", &Forcing::running, "also a child that runs")};
   }
-  using Decorator<State, Action>::Decorator;
 
   bool running = false;
 
@@ -63,7 +61,6 @@ class ForceSuccess final : public Forcing<State, Action, Status::success> {
  public:
   static constexpr std::string_view type_name = "force_success";
   static constexpr std::string_view help = "failure becomes success; running too, if asked for";
-  using ForceSuccess::Forcing::Forcing;
 };
 
 /// Success becomes failure, with `running` also running.
@@ -73,7 +70,6 @@ class ForceFailure final : public Forcing<State, Action, Status::failure> {
  public:
   static constexpr std::string_view type_name = "force_failure";
   static constexpr std::string_view help = "success becomes failure; running too, if asked for";
-  using ForceFailure::Forcing::Forcing;
 };
 
 struct RepeatingMemory {
@@ -85,8 +81,6 @@ struct RepeatingMemory {
 template <class State, class Action>
 class Repeating : public WithMemory<Decorator<State, Action>, RepeatingMemory> {
  public:
-  using WithMemory<Decorator<State, Action>, RepeatingMemory>::WithMemory;
-
   [[nodiscard]] bool stands() const noexcept final { return false; }
 
  protected:
@@ -121,7 +115,6 @@ class Repeat final : public Repeating<State, Action> {
     return Lines{param("count", &Repeat::count, range(1, 1e9),
                        "this many successes make a success; null: repeats for ever")};
   }
-  using Repeating<State, Action>::Repeating;
 
   std::optional<std::uint32_t> count;
 
@@ -143,7 +136,6 @@ class Retry final : public Repeating<State, Action> {
     return Lines{param("attempts", &Retry::attempts, range(1, 1e9),
                        "this many failures make a failure; null: tries for ever")};
   }
-  using Repeating<State, Action>::Repeating;
 
   std::optional<std::uint32_t> attempts;
 
@@ -169,7 +161,6 @@ class RunOnce final : public WithMemory<Decorator<State, Action>, RunOnceMemory>
     return Lines{param("then", &RunOnce::then,
                        "what it answers from then on: what the child last did, or always that")};
   }
-  using WithMemory<Decorator<State, Action>, RunOnceMemory>::WithMemory;
 
   Afterwards then = Afterwards::same;
 
@@ -208,7 +199,6 @@ class Guard final : public WithMemory<Composite<State, Action>, GuardMemory> {
   static constexpr std::string_view help = "asks its child only while a condition holds";
   static constexpr Kind kind = Kind::decorator;
   static constexpr std::array<std::string_view, 2> slots{"when", "child"};
-  using WithMemory<Composite<State, Action>, GuardMemory>::WithMemory;
 
   [[nodiscard]] bool remembers() const noexcept override { return false; }
   [[nodiscard]] bool stands() const noexcept override { return this->any_child_stands(); }

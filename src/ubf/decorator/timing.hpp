@@ -16,9 +16,6 @@ struct TimingMemory {
 /// The base of the nodes that keep a child within simulated time.
 template <class State, class Action>
 class Timing : public WithMemory<Decorator<State, Action>, TimingMemory> {
- public:
-  using WithMemory<Decorator<State, Action>, TimingMemory>::WithMemory;
-
  protected:
   /// Whether so much time (s) has passed since `since`.
   [[nodiscard]] bool is_over(const Tick<State>& t, double duration) const {
@@ -39,7 +36,6 @@ class Timeout final : public Timing<State, Action> {
     return Lines{param("after", &Timeout::after, "s", positive(1e6), "how long the child may run")
                      .required()};
   }
-  using Timing<State, Action>::Timing;
 
   double after = 0;  ///< s
 
@@ -74,7 +70,6 @@ class Cooldown final : public Timing<State, Action> {
         param("duration", &Cooldown::duration, "s", positive(1e6), "how long it stays shut")
             .required()};
   }
-  using Timing<State, Action>::Timing;
 
   double duration = 0;  ///< s
 
@@ -106,7 +101,6 @@ class Delay final : public Timing<State, Action> {
     return Lines{
         param("duration", &Delay::duration, "s", positive(1e6), "how long it waits").required()};
   }
-  using Timing<State, Action>::Timing;
 
   double duration = 0;  ///< s
 
@@ -140,7 +134,6 @@ class RateLimit final : public Timing<State, Action> {
                        "least time from one beginning to the next")
                      .required()};
   }
-  using Timing<State, Action>::Timing;
 
   double period = 0;  ///< s
 
