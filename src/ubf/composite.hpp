@@ -110,6 +110,11 @@ class Composite : public Behavior<State, Action> {
     if (child.stands_)
       halt(child, t);
   }
+  /// Tells the trace that what a child proposed in an earlier tick goes up.
+  void supplied(const Tick<State>& t, const AnyNode& child, const Proposal<Action>& out) const {
+    if (t.trace) [[unlikely]]
+      Trace<Action>::of(*t.trace).supplied(this->index(), child.index_, out.action);
+  }
   /// Tells the trace whose proposal goes up.
   void took(const Tick<State>& t, const AnyNode& child) const {
     if (t.trace) [[unlikely]]
@@ -174,6 +179,38 @@ class Arbiter : public Voting<State, Action> {
   static constexpr Kind kind = Kind::arbiter;
 
   [[nodiscard]] bool stands() const noexcept override { return true; }
+
+ protected:
+  using Voting<State, Action>::hand_on;
+
+  /// The position of the child that was chosen, kNone for none, and what it answered.
+  struct Choice {
+    NodeIndex child = kNone;
+    Status status = Status::failure;
+  };
+  /// Asks every child. Of those that neither fail nor abstain the last one that
+  /// `takes(child, proposal, chosen_so_far)` is chosen; `out` holds what it proposes.
+  template <class Takes>
+  Choice choose(const Tick<State>& t, Proposal<Action>& out, Takes takes) const {
+    Choice chosen;
+    Scratch<Action> other;
+    BestSoFar<Action> best(out, other);
+    for (NodeIndex i = 0; i < this->children_.size(); ++i) {
+      const Status answer = this->ask(*this->children_[i], t, best.next());
+      if (answer == Status::failure || best.next().vote == 0 ||
+          !takes(i, best.next(), chosen.child))
+        continue;
+      chosen = {i, answer};
+      best.keep();
+    }
+    best.hand_on();
+    return chosen;
+  }
+  /// Sends up what the chosen child proposed and answered; fails without one.
+  Status hand_on(const Tick<State>& t, const Choice& chosen, Proposal<Action>& out) const {
+    return chosen.child == kNone ? Status::failure
+                                 : hand_on(t, *this->children_[chosen.child], out, chosen.status);
+  }
 };
 
 /// The base of control nodes, which decide by the statuses of their children whom they ask.

@@ -114,27 +114,17 @@ Status LearnedVote::tick(const Tick& t, Proposal& out) const {
   NetworkNumbers numbers;
   evaluate(*policy_, t.state, t.memory + memory_begin(), numbers);
   make_votes(*policy_->votes, {numbers.data(), children_.size()});
-  Status status = Status::failure;
-  const ubf::AnyNode* winner = nullptr;
-  ubf::Scratch<Action> other;
-  ubf::BestSoFar<Action> best(out, other);
-  float highest = 0;
-  for (std::size_t i = 0; i < children_.size(); ++i) {
-    const Status answer = ask(*children_[i], t, best.next());
-    if (t.trace) [[unlikely]]
+  if (t.trace) [[unlikely]]
+    for (std::size_t i = 0; i < children_.size(); ++i)
       t.trace->voted(children_[i]->index(), numbers[i]);
-    if (answer == Status::failure || best.next().vote == 0 || !(numbers[i] > highest))
-      continue;
-    highest = numbers[i];
-    best.next().vote = highest;
-    status = answer;
-    winner = children_[i].get();
-    best.keep();
-  }
-  if (!winner)
-    return Status::failure;
-  best.hand_on();
-  return hand_on(t, *winner, out, status);
+  float highest = 0;
+  const auto outvotes = [&](ubf::NodeIndex i, Proposal& next, ubf::NodeIndex) {
+    if (!(numbers[i] > highest))
+      return false;
+    next.vote = highest = numbers[i];
+    return true;
+  };
+  return hand_on(t, choose(t, out, outvotes), out);
 }
 
 }  // namespace eyrie::pilot

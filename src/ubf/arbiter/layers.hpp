@@ -12,26 +12,12 @@ class Ranked : public WithMemory<Arbiter<State, Action>, Memory> {
   static constexpr std::string_view decided_by = "rank";
 
  protected:
-  struct Choice {
-    NodeIndex child = kNone;
-    Status status = Status::failure;
-  };
   /// Leaves in `out` what the first child proposes that neither fails nor abstains, or else `held`
   /// if that one is heard.
-  Choice first_heard(const Tick<State>& t, Proposal<Action>& out, NodeIndex held = kNone) const {
-    Choice chosen;
-    Scratch<Action> other;
-    BestSoFar<Action> best(out, other);
-    for (std::size_t i = 0; i < this->children_.size(); ++i) {
-      const Status answer = this->ask(*this->children_[i], t, best.next());
-      if (answer == Status::failure || best.next().vote == 0 ||
-          (chosen.child != kNone && i != held))
-        continue;
-      chosen = {static_cast<NodeIndex>(i), answer};
-      best.keep();
-    }
-    best.hand_on();
-    return chosen;
+  auto first_heard(const Tick<State>& t, Proposal<Action>& out, NodeIndex held = kNone) const {
+    return this->choose(t, out, [held](NodeIndex i, const auto&, NodeIndex chosen) {
+      return chosen == kNone || i == held;
+    });
   }
 };
 
@@ -73,13 +59,11 @@ class Priority final : public Ranked<State, Action, PriorityMemory> {
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     ChildSlot& held = this->memory(t).child;
-    const auto [child, status] = this->first_heard(t, out, held.get());
+    const auto chosen = this->first_heard(t, out, held.get());
     held.clear();
-    if (child == kNone)
-      return Status::failure;
-    if (status == Status::running && !interruptible.empty() && !interruptible[child])
-      held.set(child);
-    return this->hand_on(t, *this->children_[child], out, status);
+    if (chosen.status == Status::running && !interruptible.empty() && !interruptible[chosen.child])
+      held.set(chosen.child);
+    return this->hand_on(t, chosen, out);
   }
 };
 
@@ -115,8 +99,8 @@ class Suppress final : public Ranked<State, Action, SuppressMemory<Action>> {
   [[nodiscard]] bool remembers() const noexcept override { return hold > 0; }
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
-    const auto [child, status] = this->first_heard(t, out);
-    if (child == 0) {
+    const auto chosen = this->first_heard(t, out);
+    if (chosen.child == 0) {
       if (hold > 0) {
         m.proposal.keep(out);
         m.last = t.time;
@@ -124,17 +108,13 @@ class Suppress final : public Ranked<State, Action, SuppressMemory<Action>> {
       }
     } else if (m.holding && !passed(t.time, m.last, hold)) {
       m.proposal.get(out);
-      if (t.trace) [[unlikely]]
-        Trace<Action>::of(*t.trace).supplied(this->index(), this->children_[0]->index(),
-                                             out.action);
+      this->supplied(t, *this->children_[0], out);
       this->rescale(out);
       return Status::running;
     } else {
       m = {};
     }
-    if (child == kNone)
-      return Status::failure;
-    return this->hand_on(t, *this->children_[child], out, status);
+    return this->hand_on(t, chosen, out);
   }
 };
 

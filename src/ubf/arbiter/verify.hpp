@@ -45,33 +45,20 @@ class Verify final : public Arbiter<State, Action> {
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    Status status = Status::failure;
-    const AnyNode* winner = nullptr;
     float highest = 0;
-    Scratch<Action> other;
-    BestSoFar<Action> best(out, other);
-    for (std::size_t i = 0; i < this->children_.size(); ++i) {
-      const auto& child = *this->children_[i];
-      const Status answer = this->ask(child, t, best.next());
-      if (answer == Status::failure || best.next().vote == 0)
-        continue;
-      const bool is_fallback = fallback && i + 1 == this->children_.size();
-      if (is_fallback ? winner != nullptr : !(best.next().vote > highest))
-        continue;
-      if (const char* why = is_fallback ? nullptr : refused(t.state, best.next().action)) {
+    const auto passes = [&](NodeIndex i, const Proposal<Action>& next, NodeIndex chosen) {
+      const bool is_fallback = fallback && i + 1U == this->children_.size();
+      if (is_fallback ? chosen != kNone : !(next.vote > highest))
+        return false;
+      if (const char* why = is_fallback ? nullptr : refused(t.state, next.action)) {
         if (t.trace) [[unlikely]]
-          t.trace->because(child.index(), why);
-        continue;
+          t.trace->because(this->children_[i]->index(), why);
+        return false;
       }
-      highest = best.next().vote;
-      status = answer;
-      winner = &child;
-      best.keep();
-    }
-    if (!winner)
-      return Status::failure;
-    best.hand_on();
-    return this->hand_on(t, *winner, out, status);
+      highest = next.vote;
+      return true;
+    };
+    return this->hand_on(t, this->choose(t, out, passes), out);
   }
 
   /// From a file.

@@ -38,39 +38,20 @@ class WeightedRandom final : public WithMemory<Arbiter<State, Action>, WeightedR
     const NodeIndex kept = passed(t.time, m.since, keep) ? kNone : m.child.get();
     Draw draw = this->draw(t);
     double total = 0;
-    Status status = Status::failure;
-    NodeIndex chosen = kNone;
-    Scratch<Action> other;
-    BestSoFar<Action> best(out, other);
-    for (std::size_t i = 0; i < this->children_.size(); ++i) {
-      const Status answer = this->ask(*this->children_[i], t, best.next());
-      if (answer == Status::failure || best.next().vote == 0)
-        continue;
-      const auto weight = static_cast<double>(best.next().vote);
-      total += weight;
-      const bool drawn = draw.uniform() * total < weight || chosen == kNone;
-      if (i != kept && (!drawn || (chosen != kNone && chosen == kept)))
-        continue;
-      chosen = static_cast<NodeIndex>(i);
-      status = answer;
-      best.keep();
-    }
-    remember(m, t.time, chosen, status, chosen == kept);
-    if (chosen == kNone)
-      return Status::failure;
-    best.hand_on();
-    return this->hand_on(t, *this->children_[chosen], out, status);
-  }
-
- private:
-  void remember(WeightedRandomMemory& m, double now, NodeIndex chosen, Status status,
-                bool again) const {
-    const double since = again ? m.since : now;
+    const auto chosen =
+        this->choose(t, out, [&](NodeIndex i, const Proposal<Action>& next, NodeIndex held) {
+          const auto weight = static_cast<double>(next.vote);
+          total += weight;
+          const bool drawn = draw.uniform() * total < weight || held == kNone;
+          return i == kept || (drawn && (held == kNone || held != kept));
+        });
+    const double since = chosen.child == kept ? m.since : t.time;
     m = {};
-    if (keep == 0 || status != Status::running)
-      return;
-    m.since = since;
-    m.child.set(chosen);
+    if (keep > 0 && chosen.status == Status::running) {
+      m.since = since;
+      m.child.set(chosen.child);
+    }
+    return this->hand_on(t, chosen, out);
   }
 };
 

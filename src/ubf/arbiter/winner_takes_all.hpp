@@ -134,7 +134,11 @@ class Commitment final : public WithMemory<Arbiter<State, Action>, CommitmentMem
     const Choice& chosen = change ? rival : incumbent;
     const bool stands_in = bridged && !change;
     out.copy(chosen.proposal());
-    trace(t, *this->children_[chosen.child], out, stands_in);
+    const AnyNode& child = *this->children_[chosen.child];
+    if (stands_in)
+      this->supplied(t, child, out);
+    else
+      this->took(t, child);
     if (chosen.status == Status::success)
       release(t);
     else if (!stands_in)
@@ -188,15 +192,6 @@ class Commitment final : public WithMemory<Arbiter<State, Action>, CommitmentMem
   }
   [[nodiscard]] Held& held(const Tick<State>& t) const {
     return *reinterpret_cast<Held*>(t.memory + this->memory_begin() + sizeof(CommitmentMemory));
-  }
-  void trace(const Tick<State>& t, const AnyNode& child, const Proposal<Action>& proposal,
-             bool bridged) const {
-    if (!t.trace) [[likely]]
-      return;
-    if (bridged)
-      Trace<Action>::of(*t.trace).supplied(this->index(), child.index(), proposal.action);
-    else
-      this->took(t, child);
   }
 };
 
