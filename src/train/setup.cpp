@@ -64,7 +64,7 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
       refuse("reward {} needs a range: it is 1 up to its low end, 0 from its high end on",
              enum_name(r.term));
   }
-  for (const pilot::Control& control : controls_.controls())
+  for (const pilot::Control& control : controls_.items())
     action_names_.emplace_back(control.info().name);
   read_learners();
   read_opponents();

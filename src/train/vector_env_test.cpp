@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(VectorEnv, EveryTask, testing::ValuesIn([] {
 TEST(VectorEnv, BeginsWithWhatAPilotPerceives) {
   const auto first = [](const char* task, std::string_view field) {
     Trainer t(brief(task, 15), {.envs = 2, .seed = 3});
-    const auto features = t.env.observation().features();
+    const auto features = t.env.observation().items();
     const auto found = std::ranges::find_if(
         features, [&](const pilot::Feature& one) { return one.info().name == field; });
     EXPECT_NE(found, features.end());

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/policy/controls.hpp"
 
-#include "core/hash.hpp"
 #include "pilot/gunnery.hpp"
-#include "pilot/policy/layout.hpp"
 #include "pilot/state.hpp"
 
 namespace eyrie::pilot {
@@ -68,125 +66,88 @@ void say(Manual& m, Manual::Field field, float Manual::*member, double value) {
 constexpr double kSteepest = radians(90);
 
 constexpr std::array kTypes = std::to_array<ControlType>({
-    {"turn", "heading to fly, from the own one, positive right", "rad", -kPi, kPi, Manual::kHeading,
+    {"turn", "heading to fly, from the own one, positive right", Manual::kHeading,
      [](const State& s, double x, Manual& m) {
        say(m, Manual::kHeading, &Manual::heading, wrap_pi(s.own.heading + x));
      },
-     always},
-    {"heading", "true heading to fly", "rad", -kPi, kPi, Manual::kHeading,
+     always, "rad", -kPi, kPi},
+    {"heading", "true heading to fly", Manual::kHeading,
      [](const State&, double x, Manual& m) { say(m, Manual::kHeading, &Manual::heading, x); },
-     always},
-    {"climb", "direction to fly to above the horizon, whichever way up, as the mode aim", "rad",
-     -kSteepest, kSteepest, kVertical,
-     [](const State&, double x, Manual& m) { say(m, Manual::kClimb, &Manual::climb, x); }, always},
-    {"pull", "the same from the own direction of flight, positive up", "rad", -kSteepest, kSteepest,
-     kVertical,
+     always, "rad", -kPi, kPi},
+    {"climb", "direction to fly to above the horizon, whichever way up, as the mode aim", kVertical,
+     [](const State&, double x, Manual& m) { say(m, Manual::kClimb, &Manual::climb, x); }, always,
+     "rad", -kSteepest, kSteepest},
+    {"pull", "the same from the own direction of flight, positive up", kVertical,
      [](const State& s, double x, Manual& m) {
        say(m, Manual::kClimb, &Manual::climb, std::clamp(s.own.pitch + x, -kSteepest, kSteepest));
      },
-     always},
+     always, "rad", -kSteepest, kSteepest},
     {"aim_right",
      "heading to fly, from that of the line to the target (inside the gun's reach: to where its "
      "rounds would meet him), positive right; without a target from the own one",
-     "rad", -kPi, kPi, Manual::kHeading,
+     Manual::kHeading,
      [](const State& s, double x, Manual& m) {
        say(m, Manual::kHeading, &Manual::heading, wrap_pi(bearing_of(aim_of(s)) + x));
      },
-     always},
-    {"aim_up", "direction to fly to above the horizon, from that line, positive up", "rad",
-     -kSteepest, kSteepest, kVertical,
+     always, "rad", -kPi, kPi},
+    {"aim_up", "direction to fly to above the horizon, from that line, positive up", kVertical,
      [](const State& s, double x, Manual& m) {
        const double up = elevation_of(aim_of(s)) + x;
        say(m, Manual::kClimb, &Manual::climb, std::clamp(up, -kSteepest, kSteepest));
      },
-     always},
-    {"altitude", "to fly", "m", 0, 25e3, kVertical,
+     always, "rad", -kSteepest, kSteepest},
+    {"altitude", "to fly", kVertical,
      [](const State&, double x, Manual& m) { say(m, Manual::kAltitude, &Manual::altitude, x); },
-     always},
-    {"altitude_change", "altitude to fly, from the own one", "m", -25e3, 25e3, kVertical,
+     always, "m", 0, 25e3},
+    {"altitude_change", "altitude to fly, from the own one", kVertical,
      [](const State& s, double x, Manual& m) {
        say(m, Manual::kAltitude, &Manual::altitude, s.own.altitude + x);
      },
-     always},
-    {"speed", "true airspeed to fly", "m/s", 50, 1000, Manual::kSpeed,
-     [](const State&, double x, Manual& m) { say(m, Manual::kSpeed, &Manual::speed, x); }, always},
-    {"speed_change", "true airspeed to fly, from the own one", "m/s", -500, 500, Manual::kSpeed,
+     always, "m", -25e3, 25e3},
+    {"speed", "true airspeed to fly", Manual::kSpeed,
+     [](const State&, double x, Manual& m) { say(m, Manual::kSpeed, &Manual::speed, x); }, always,
+     "m/s", 50, 1000},
+    {"speed_change", "true airspeed to fly, from the own one", Manual::kSpeed,
      [](const State& s, double x, Manual& m) {
        say(m, Manual::kSpeed, &Manual::speed, std::max(s.own.speed + x, 50.0));
      },
-     always},
-    {"load_factor", "g, the most that turning may use", "", 1, 12, Manual::kLoadFactor,
+     always, "m/s", -500, 500},
+    {"load_factor", "g, the most that turning may use", Manual::kLoadFactor,
      [](const State&, double x, Manual& m) {
        say(m, Manual::kLoadFactor, &Manual::load_factor, x);
      },
-     always},
-    {"trigger",
-     "presses the trigger of the gun",
-     {},
-     0,
-     0,
-     kTrigger,
+     always, "", 1, 12},
+    {"trigger", "presses the trigger of the gun", kTrigger,
      [](const State&, double on, Manual& m) { m.trigger = on > 0 ? 1 : 0; },
      [](const State& s) { return s.gun.rounds > 0 && s.type.index.gun.has_value(); }},
     {"shoot",
      "presses the trigger if the target is hostile, within the gun's reach and in its cone of aim, "
      "and no friend is in the line of fire",
-     {},
-     0,
-     0,
      kTrigger,
      [](const State& s, double on, Manual& m) { m.trigger = on > 0 && gun_bears(s) ? 1 : 0; },
      gun_bears},
     {"release",
      "releases a missile at the target, if it is hostile and in the zone of one that may leave "
-     "now: "
-     "of these the one of the shortest reach",
-     {},
-     0,
-     0,
+     "now: of these the one of the shortest reach",
      kRelease,
      [](const State& s, double on, Manual& m) {
        if (const auto store = on > 0 ? store_to_release(s) : std::nullopt)
          m.store = static_cast<std::uint8_t>(*store + 1);
      },
      [](const State& s) { return store_to_release(s).has_value(); }},
-    {"radar",
-     "the radar radiates",
-     {},
-     0,
-     0,
-     Manual::kRadar,
+    {"radar", "the radar radiates", Manual::kRadar,
      [](const State&, double on, Manual& m) {
        m.radar_off = on > 0 ? 0 : 1;
        m.said |= Manual::kRadar;
      },
      [](const State& s) { return s.type.index.radar.has_value(); }},
-    {"chaff",
-     "throws out chaff by the dispenser's program",
-     {},
-     0,
-     0,
-     kChaff,
-     dispense<Dispense::chaff>,
+    {"chaff", "throws out chaff by the dispenser's program", kChaff, dispense<Dispense::chaff>,
      dispenses<Dispense::chaff>},
-    {"flares",
-     "throws out flares by the dispenser's program",
-     {},
-     0,
-     0,
-     kFlares,
-     dispense<Dispense::flares>,
+    {"flares", "throws out flares by the dispenser's program", kFlares, dispense<Dispense::flares>,
      dispenses<Dispense::flares>},
-    {"dispense",
-     "throws out both",
-     {},
-     0,
-     0,
-     kChaff | kFlares,
-     dispense<Dispense::both>,
+    {"dispense", "throws out both", kChaff | kFlares, dispense<Dispense::both>,
      dispenses<Dispense::both>},
 });
-
 constexpr auto kNames = [] {
   std::array<std::string_view, kTypes.size()> names{};
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -237,67 +198,38 @@ double Control::value(float unit) const {
   return info().is_flag() ? (x > 0 ? 1 : 0) : from_unit(x, low, high);
 }
 
-std::optional<Controls> Controls::read(std::string_view text, const Location& where,
-                                       Diagnostics& diagnostics) {
-  const std::size_t before = diagnostics.count();
-  Controls controls;
-  read_layout(text, where, diagnostics, [&](LayoutLine& line) {
-    const auto control = read_control(line);
-    if (!control)
-      return;
-    for (const Control& other : controls.controls_)
-      if ((other.info().commands & control->info().commands) != 0)
-        line.fail(
-            fmt::format("{} commands what {} commands", control->info().name, other.info().name));
-    controls.controls_.push_back(*control);
-  });
-  return diagnostics.count() == before ? std::optional(std::move(controls)) : std::nullopt;
+std::optional<Control> Control::read(LayoutLine& line, std::span<const Control> before) {
+  const auto control = read_control(line);
+  for (const Control& other : before)
+    if (control && (other.info().commands & control->info().commands) != 0)
+      line.fail(
+          fmt::format("{} commands what {} commands", control->info().name, other.info().name));
+  return control;
 }
 
-Controls::Controls(std::string_view text, const Location& where) {
-  Diagnostics diagnostics;
-  auto controls = read(text, where, diagnostics);
-  if (!controls)
-    throw ConfigError(diagnostics);
-  *this = std::move(*controls);
+std::string Control::text() const {
+  std::string text(info().name);
+  if (!info().is_flag())
+    text += ' ' + range_text(low, high, info().unit.dimension);
+  return cubic ? text + " cubic" : text;
 }
 
 Manual Controls::apply(const State& state, std::span<const float> units) const {
-  EYRIE_DEMAND(units.size() >= controls_.size(), "a number for each control");
+  EYRIE_DEMAND(units.size() >= size(), "a number for each control");
   Manual manual{.seat = model::Seat::person};
   if (const Seen* target = state.target()) {
     manual.target = target->id();
     manual.said |= Manual::kTarget;
   }
-  for (std::size_t i = 0; i < controls_.size(); ++i)
+  for (std::size_t i = 0; i < size(); ++i)
     if (!std::isnan(units[i]))
-      controls_[i].info().apply(state, controls_[i].value(units[i]), manual);
+      items()[i].info().apply(state, items()[i].value(units[i]), manual);
   return manual;
 }
 
 void Controls::mask(const State& state, std::uint8_t* out) const {
-  for (const Control& control : controls_)
+  for (const Control& control : items())
     *out++ = control.info().can(state) ? 1 : 0;
-}
-
-std::string Controls::text() const {
-  std::string text;
-  for (const Control& control : controls_) {
-    const ControlType& type = control.info();
-    text += type.name;
-    if (!type.is_flag())
-      text += fmt::format(" {} {}", exact_quantity(control.low, type.unit.dimension),
-                          exact_quantity(control.high, type.unit.dimension));
-    if (control.cubic)
-      text += " cubic";
-    text += '\n';
-  }
-  return text;
-}
-
-std::uint64_t Controls::hash() const {
-  const std::string all = text();
-  return hash_bytes(std::as_bytes(std::span(all)));
 }
 
 }  // namespace eyrie::pilot

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  What a learned behavior commands: named controls, each a number in [-1, 1].
 #include "model/tasking.hpp"
+#include "pilot/policy/layout.hpp"
 #include "pilot/trees.hpp"
 
 namespace eyrie::pilot {
@@ -10,15 +11,15 @@ namespace eyrie::pilot {
 struct ControlType {
   std::string_view name;
   std::string_view help;
-  Unit unit;  ///< of a number
-  /// What a file may give as the range; a flag has none and is on above 0.
-  double least = 0, most = 0;
   /// A bit for each thing that it commands: no two controls of one list command the same.
   std::uint16_t commands = 0;
   /// Writes a number in SI, or of a flag 1 or 0.
   void (*apply)(const State&, double, model::Manual&) = nullptr;
   /// Whether it could do anything now.
   bool (*can)(const State&) = nullptr;
+  Unit unit = {};  ///< of a number
+  /// What a file may give as the range; a flag has none and is on above 0.
+  double least = 0, most = 0;
 
   [[nodiscard]] constexpr bool is_flag() const { return least == most; }
 };
@@ -34,6 +35,9 @@ struct Control {
   [[nodiscard]] const ControlType& info() const { return control_types()[type]; }
   /// The number in SI, or of a flag 1 or 0, for one in [-1, 1].
   [[nodiscard]] double value(float unit) const;
+  /// Its line of a layout, which may command nothing that one before it does; and back.
+  static std::optional<Control> read(LayoutLine& line, std::span<const Control> before);
+  [[nodiscard]] std::string text() const;
 };
 
 /// An ordered list of controls: the layout of what comes out of a policy. As text it has a line for
@@ -42,18 +46,11 @@ struct Control {
 ///   turn -90 deg 90 deg cubic
 ///   climb -30 deg 30 deg
 ///   release
-class Controls {
+class Controls : public Layout<Control> {
  public:
-  /// Nothing is commanded.
   Controls() = default;
-  /// From text; throws ConfigError with all of its mistakes, at `where`.
-  explicit Controls(std::string_view text, const Location& where = {"controls", 1, 1});
-  /// The same with the mistakes to `diagnostics`; nothing if there are any.
-  [[nodiscard]] static std::optional<Controls> read(std::string_view text, const Location& where,
-                                                    Diagnostics& diagnostics);
-
-  [[nodiscard]] std::size_t size() const { return controls_.size(); }
-  [[nodiscard]] std::span<const Control> controls() const { return controls_; }
+  explicit Controls(std::string_view text, const Location& where = {"controls", 1, 1})
+      : Layout(text, where) {}
 
   /// What a person who wants this would ask for: as the payload of OrderKind::manual it is flown,
   /// and by fly_by_hand() it becomes an action. It attacks the pilot's target. `units`: size() of
@@ -61,14 +58,6 @@ class Controls {
   [[nodiscard]] model::Manual apply(const State& state, std::span<const float> units) const;
   /// Writes size() times 1 if the control could do anything now, else 0.
   void mask(const State& state, std::uint8_t* out) const;
-
-  /// What read() reads back to the same, the ranges in the units that say them most simply.
-  [[nodiscard]] std::string text() const;
-  /// Of text(): two lists of one hash mean the same.
-  [[nodiscard]] std::uint64_t hash() const;
-
- private:
-  std::vector<Control> controls_;
 };
 
 }  // namespace eyrie::pilot

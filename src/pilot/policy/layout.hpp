@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/diagnostics.hpp"
+#include "core/hash.hpp"
 #include "core/units.hpp"
 #include "ubf/state_fields.hpp"
 
@@ -62,6 +63,55 @@ bool read_layout(std::string_view text, Location where, Diagnostics& diagnostics
   if (lines > kMostLines)
     diagnostics.error(begin, fmt::format("more than {} lines", kMostLines));
   return lines > 0 && lines <= kMostLines;
+}
+
+/// An ordered list of what the lines of a text say, one Item each:
+///   static std::optional<Item> read(LayoutLine&, std::span<const Item> before);
+///   std::string text() const;
+template <class Item>
+class Layout {
+ public:
+  /// No line.
+  Layout() = default;
+  /// From text; throws ConfigError with all of its mistakes, at `where`.
+  Layout(std::string_view text, const Location& where) {
+    Diagnostics diagnostics;
+    if (!read(text, where, diagnostics))
+      throw ConfigError(std::move(diagnostics));
+  }
+  /// The same with the mistakes to `diagnostics`; false if there are any.
+  [[nodiscard]] bool read(std::string_view text, const Location& where, Diagnostics& diagnostics) {
+    const std::size_t before = diagnostics.count();
+    read_layout(text, where, diagnostics, [&](LayoutLine& line) {
+      if (const auto item = Item::read(line, items_))
+        items_.push_back(*item);
+    });
+    return diagnostics.count() == before;
+  }
+
+  [[nodiscard]] std::size_t size() const { return items_.size(); }
+  [[nodiscard]] std::span<const Item> items() const { return items_; }
+
+  /// What read() reads back to the same, the ranges in the units that say them most simply.
+  [[nodiscard]] std::string text() const {
+    std::string text;
+    for (const Item& item : items_)
+      text += item.text() + '\n';
+    return text;
+  }
+  /// Of text(): two of one hash mean the same.
+  [[nodiscard]] std::uint64_t hash() const {
+    const std::string all = text();
+    return hash_bytes(std::as_bytes(std::span(all)));
+  }
+
+ private:
+  std::vector<Item> items_;
+};
+
+/// "0 nmi 40 nmi", as LayoutLine::range() reads it.
+[[nodiscard]] inline std::string range_text(double low, double high, Dimension dimension) {
+  return fmt::format("{} {}", exact_quantity(low, dimension), exact_quantity(high, dimension));
 }
 
 /// x in [low, high] -> [-1, 1], what is beyond at the bounds; NaN stays.

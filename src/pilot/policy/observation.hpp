@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a learned behavior sees: features of the pilot's state, each a number in [-1, 1].
+#include "pilot/policy/layout.hpp"
 #include "pilot/trees.hpp"
 
 namespace eyrie::pilot {
@@ -23,6 +24,9 @@ struct Feature {
   double low = -1, high = 1;  ///< in SI; of linear only
 
   [[nodiscard]] const ubf::StateFieldInfo& info() const;
+  /// Its line of a layout, and back.
+  static std::optional<Feature> read(LayoutLine& line, std::span<const Feature> before);
+  [[nodiscard]] std::string text() const;
 };
 
 /// An ordered list of features: the layout of what goes into a policy. As text it has a line for
@@ -32,28 +36,13 @@ struct Feature {
 ///   target_right sine
 ///   target_right cosine
 ///   missile_range present
-class Observation {
+class Observation : public Layout<Feature> {
  public:
-  /// No feature.
   Observation() = default;
-  /// From text; throws ConfigError with all of its mistakes, at `where`.
-  explicit Observation(std::string_view text, const Location& where = {"observation", 1, 1});
-  /// The same with the mistakes to `diagnostics`; nothing if there are any.
-  [[nodiscard]] static std::optional<Observation> read(std::string_view text, const Location& where,
-                                                       Diagnostics& diagnostics);
-
-  [[nodiscard]] std::size_t size() const { return features_.size(); }
-  [[nodiscard]] std::span<const Feature> features() const { return features_; }
+  explicit Observation(std::string_view text, const Location& where = {"observation", 1, 1})
+      : Layout(text, where) {}
   /// Writes size() numbers in [-1, 1], never NaN. Allocates nothing.
   void write(const State& state, float* out) const;
-
-  /// What read() reads back to the same, the ranges in the units that say them most simply.
-  [[nodiscard]] std::string text() const;
-  /// Of text(): two observations of one hash mean the same.
-  [[nodiscard]] std::uint64_t hash() const;
-
- private:
-  std::vector<Feature> features_;
 };
 
 }  // namespace eyrie::pilot

@@ -30,12 +30,10 @@ class Words {
   template <class Layout>
   void read(const std::string& name, Layout& layout) {
     const auto text = find(name);
-    const auto read = text ? Layout::read(*text, inside(name), diagnostics_) : std::nullopt;
     if (!text)
       static_cast<void>(needed(name));
-    if (!read)
+    if (!text || !layout.read(*text, inside(name), diagnostics_))
       return;
-    layout = *read;
     const auto hash = find(name + "_hash");
     if (hash && *hash != hash_text(layout.hash()))
       error(fmt::format("{}_hash is {}, and the {} that stands there has {}", name, quote(*hash),
