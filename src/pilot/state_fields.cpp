@@ -55,42 +55,27 @@ Vec3 to_place(const State& s, const team::Leader& lead) {
   return turned(ned, -s.own.heading);
 }
 
-/// What `of` says of the chosen target; no value without one.
-template <class Of>
-constexpr auto of_target(Of) {
-  return [](const State& s) -> double {
-    const Seen* target = s.target();
-    return target ? Of{}(s, *target) : kNoValue;
-  };
+std::optional<Sight> sight(const State& s) {
+  const Seen* target = s.target();
+  return target ? s.gun_sight(*target) : std::nullopt;
 }
 
-/// What `of` says of the sight on the chosen target; no value without target or gun.
-template <class Of>
-constexpr auto of_sight(Of) {
-  return [](const State& s) -> double {
-    const Seen* target = s.target();
-    const std::optional<Sight> sight = target ? s.gun_sight(*target) : std::nullopt;
-    return sight ? Of{}(s, *sight) : kNoValue;
-  };
-}
-
-/// What `of` says of the missile to worry about; no value without one.
-template <class Of>
-constexpr auto of_missile(Of) {
-  return [](const State& s) -> double {
-    const model::InboundMissile* missile = s.threat();
-    return missile ? Of{}(s, *missile) : kNoValue;
-  };
-}
-
-/// What `of` says of who is followed; no value for who leads, or who has not heard of the lead.
-template <class Of>
-constexpr auto of_lead(Of) {
-  return [](const State& s) -> double {
-    const std::optional<team::Leader> lead = s.leader();
-    return lead ? Of{}(s, *lead) : kNoValue;
-  };
-}
+/// What a function says of what `find` finds in a state; no value if it finds nothing.
+template <auto find>
+struct OfWhat {
+  template <class Of>
+  constexpr auto operator()(Of) const {
+    return [](const State& s) -> double {
+      const auto found = std::invoke(find, s);
+      return found ? Of{}(s, *found) : kNoValue;
+    };
+  }
+};
+constexpr OfWhat<&State::target> of_target;   ///< the chosen one
+constexpr OfWhat<sight> of_sight;             ///< of the gun on the chosen target
+constexpr OfWhat<&State::threat> of_missile;  ///< the one to worry about
+constexpr OfWhat<&State::leader> of_lead;     ///< who is followed; who leads follows nobody
+constexpr OfWhat<spike> of_spike;             ///< the radar that tracks this aircraft
 
 template <bool (Seen::*is)() const>
 std::size_t count(const State& s) {
@@ -283,10 +268,9 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     flag("spiked", "a radar tracks this aircraft",
          [](const State& s) -> double { return spike(s) != nullptr; }),
     angle("spike_right", "that radar off the own heading, in (-180°, 180°], positive right",
-          [](const State& s) {
-            const model::RwrWarning* warning = spike(s);
-            return warning ? right_of_nose(s, warning->bearing) : kNoValue;
-          }),
+          of_spike([](const State& s, const model::RwrWarning& w) {
+            return right_of_nose(s, w.bearing);
+          })),
     number("missile_range", "m", "to the missile to worry about, if its range is known",
            of_missile([](const State&, const model::InboundMissile& m) {
              return m.has_position ? m.range : kNoValue;

@@ -141,8 +141,6 @@ class ActionExpression {
       return i < fields.size() ? fields[i].read(state) : read(action, i - fields.size());
     });
   }
-  /// The steps; field numbers beyond those of the state are the action's.
-  [[nodiscard]] const std::vector<detail::Instruction>& program() const { return program_; }
   /// The fields that it may name; made once.
   [[nodiscard]] static std::span<const StateFieldInfo> fields() {
     static const Names kNames;

@@ -95,17 +95,6 @@ std::optional<std::size_t> NodeReader::field(const Value& name) {
   return diagnostics_.error(name.where, names_.unknown(registry_.fields_, name.text));
 }
 
-std::optional<std::string> NodeReader::file(const Value& name) {
-  if (files_)
-    return files_->read(name, diagnostics_);
-  return no_file(name);
-}
-
-std::nullopt_t NodeReader::no_file(const Value& name) {
-  return diagnostics_.error(name.where, "there is no file {}: nodes of this tree have no files",
-                            quote(name.text));
-}
-
 bool NodeReader::within_limits(const Location& where) {
   if (depth_ >= kMaxDepth) {
     diagnostics_.error(where, "nodes are nested more than {} deep", kMaxDepth);

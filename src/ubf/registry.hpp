@@ -138,14 +138,14 @@ class NodeReader {
                                                             std::span<const StateFieldInfo> fields);
   /// The index of the state's field that a value names here, or nothing after reporting.
   [[nodiscard]] std::optional<std::size_t> field(const Value& name);
-  /// The bytes of the file that a value names, or nothing after reporting.
-  [[nodiscard]] std::optional<std::string> file(const Value& name);
-  /// What `make(bytes)` gives of that file (NodeFiles::made_of); null after reporting.
+  /// What `make(bytes)` gives of the file that a value names (NodeFiles::made_of); null after
+  /// reporting.
   template <class Made, class Make>
   [[nodiscard]] std::shared_ptr<const Made> made_of(const Value& name, Make make) {
     if (files_)
       return files_->made_of<Made>(name, diagnostics_, make);
-    no_file(name);
+    error(name.where, fmt::format("there is no file {}: nodes of this tree have no files",
+                                  quote(name.text)));
     return nullptr;
   }
   [[nodiscard]] const StateFieldInfo& info(std::size_t field) const {
@@ -158,7 +158,6 @@ class NodeReader {
   }
 
  private:
-  std::nullopt_t no_file(const Value& name);
   [[nodiscard]] bool within_limits(const Location& where);
   [[nodiscard]] Child read_reference(const NodeSpec& spec);
   [[nodiscard]] Child make_changed(NodeSpec spec);
