@@ -11,10 +11,10 @@ namespace {
 
 const Value kNothing;
 
-void refuse(const Value& value, Diagnostics& diagnostics) {
-  diagnostics.error(value.where,
-                    "expected a node, such as 'navigate' or {{navigate: {{...}}}}, got {}",
-                    value.shown());
+std::nullopt_t refuse(const Value& value, Diagnostics& diagnostics) {
+  return diagnostics.error(value.where,
+                           "expected a node, such as 'navigate' or {{navigate: {{...}}}}, got {}",
+                           value.shown());
 }
 
 struct Argument {
@@ -208,29 +208,17 @@ std::vector<FieldRename> read_renames(const Value& value, Diagnostics& diagnosti
 std::optional<NodeSpec> read_spec(const Value& value, Diagnostics& diagnostics) {
   if (value.tag == kTreeTag)
     return NodeSpec{std::string(kTreeReference), value.where, &value};
-  switch (value.kind) {
-    case Value::Kind::scalar:
-      if (looks_like_expression(value.text))
-        return NodeSpec{std::string(kHolds), value.where, &value};
-      return NodeSpec{value.text, value.where, &kNothing};
-    case Value::Kind::map:
-      break;
-    case Value::Kind::null:
-    case Value::Kind::list:
-      refuse(value, diagnostics);
-      return std::nullopt;
-  }
-  if (value.entries.empty()) {
-    refuse(value, diagnostics);
-    return std::nullopt;
-  }
-  if (value.entries.size() > 1) {
-    // most often the parameters are not indented far enough
+  if (value.is_scalar() && looks_like_expression(value.text))
+    return NodeSpec{std::string(kHolds), value.where, &value};
+  if (value.is_scalar())
+    return NodeSpec{value.text, value.where, &kNothing};
+  if (!value.is_map() || value.entries.empty())
+    return refuse(value, diagnostics);
+  if (value.entries.size() > 1)  // most often the parameters are not indented far enough
     return diagnostics.error(value.entries[1].where,
                              "a node is one name with its parameters below it, but beside {} there "
                              "is {}; a parameter must be indented further than its node",
                              quote(value.entries[0].key), quote(value.entries[1].key));
-  }
   const Value::Entry& only = value.entries.front();
   return NodeSpec{only.key, only.where, &only.value};
 }

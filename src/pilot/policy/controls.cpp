@@ -158,10 +158,9 @@ constexpr auto kNames = [] {
 std::optional<Control> read_control(LayoutLine& line) {
   const std::string_view name = line.word();
   const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) {
-    line.fail(fmt::format("there is no control {}{}", quote(name), did_you_mean(name, kNames)));
-    return std::nullopt;
-  }
+  if (found == kNames.end())
+    return line.fail(
+        fmt::format("there is no control {}{}", quote(name), did_you_mean(name, kNames)));
   Control control{.type = static_cast<std::uint32_t>(found - kNames.begin())};
   const ControlType& type = control.info();
   if (type.is_flag())
@@ -170,17 +169,14 @@ std::optional<Control> read_control(LayoutLine& line) {
   if (!range)
     return std::nullopt;
   std::tie(control.low, control.high) = *range;
-  if (control.low < type.least || control.high > type.most) {
-    line.fail(fmt::format("{}: the range must be within {} to {}", name,
-                          exact_quantity(type.least, type.unit.dimension),
-                          exact_quantity(type.most, type.unit.dimension)));
-    return std::nullopt;
-  }
+  if (control.low < type.least || control.high > type.most)
+    return line.fail(fmt::format("{}: the range must be within {} to {}", name,
+                                 exact_quantity(type.least, type.unit.dimension),
+                                 exact_quantity(type.most, type.unit.dimension)));
   if (const std::string_view shape = line.word(); !shape.empty()) {
-    if (shape != "cubic") {
-      line.fail(fmt::format("expected 'cubic' or the end of the line, got {}", quote(shape)));
-      return std::nullopt;
-    }
+    if (shape != "cubic")
+      return line.fail(
+          fmt::format("expected 'cubic' or the end of the line, got {}", quote(shape)));
     control.cubic = true;
   }
   return line.end() ? std::optional(control) : std::nullopt;

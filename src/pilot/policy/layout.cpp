@@ -26,7 +26,7 @@ std::string_view LayoutLine::word() {
   return word;
 }
 
-bool LayoutLine::fail(std::string message) {
+std::nullopt_t LayoutLine::fail(std::string message) {
   if (!failed_) {
     Location where = where_;
     if (where.column)
@@ -34,12 +34,12 @@ bool LayoutLine::fail(std::string message) {
     diagnostics_.error(std::move(where), std::move(message));
   }
   failed_ = true;
-  return false;
+  return std::nullopt;
 }
 
 bool LayoutLine::end() {
   if (const std::string_view more = word(); !more.empty())
-    return fail("expected the end of the line, got " + quote(more));
+    fail("expected the end of the line, got " + quote(more));
   return !failed_;
 }
 
@@ -51,14 +51,12 @@ std::optional<double> LayoutLine::quantity(Dimension dimension) {
     text.append(" ").append(word());
   begin_ = begin;
   const Parsed parsed = parse_quantity(text, dimension);
-  if (!parsed) {
-    const std::string_view example = dimension_example(dimension);
-    fail(text.empty() ? fmt::format("expected two numbers from less to more{}{}, got the end",
-                                    example.empty() ? "" : ", such as ", example)
-                      : parsed.error);
-    return std::nullopt;
-  }
-  return parsed.value;
+  if (parsed)
+    return parsed.value;
+  const std::string_view example = dimension_example(dimension);
+  return fail(text.empty() ? fmt::format("expected two numbers from less to more{}{}, got the end",
+                                         example.empty() ? "" : ", such as ", example)
+                           : parsed.error);
 }
 
 std::optional<std::pair<double, double>> LayoutLine::range(Dimension dimension) {
@@ -66,10 +64,8 @@ std::optional<std::pair<double, double>> LayoutLine::range(Dimension dimension) 
   const std::optional<double> high = low ? quantity(dimension) : std::nullopt;
   if (!high)
     return std::nullopt;
-  if (!(*low < *high)) {
-    fail("the range must go from less to more");
-    return std::nullopt;
-  }
+  if (!(*low < *high))
+    return fail("the range must go from less to more");
   return std::pair(*low, *high);
 }
 

@@ -27,8 +27,8 @@ class LayoutLine {
   std::optional<std::pair<double, double>> range(Dimension dimension);
   /// Whether the line ends here, as it should.
   bool end();
-  /// Reports a mistake at the last word; false.
-  bool fail(std::string message);
+  /// Reports a mistake at the last word.
+  std::nullopt_t fail(std::string message);
 
  private:
   std::optional<double> quantity(Dimension dimension);

@@ -80,8 +80,7 @@ std::optional<std::vector<float>> numbers(const TensorFile& tensors, const std::
                                           Diagnostics& diagnostics) {
   const Tensor* tensor = tensors.find(name);
   const auto wrong = [&](std::string what) {
-    diagnostics.error({tensors.file()}, std::move(what));
-    return std::nullopt;
+    return diagnostics.error({tensors.file()}, std::move(what));
   };
   if (!tensor)
     return wrong(
@@ -152,28 +151,20 @@ std::optional<Network::Layer> Network::read_layer(LayoutLine& line, std::size_t 
   Layer layer;
   if (const auto found = enum_named<LayerKind>(kind))
     layer.kind = *found;
-  else {
-    line.fail(fmt::format("expected linear, gru or lstm, got {}{}", quote(kind),
-                          did_you_mean(kind, kKinds)));
-    return std::nullopt;
-  }
+  else
+    return line.fail(fmt::format("expected linear, gru or lstm, got {}{}", quote(kind),
+                                 did_you_mean(kind, kKinds)));
   const std::string name(line.word());
-  if (name.empty()) {
-    line.fail("expected the name of the layer, got the end");
-    return std::nullopt;
-  }
-  if (!names.insert(name).second) {  // its weights would take memory once more
-    line.fail(fmt::format("the layer {} is there already", quote(name)));
-    return std::nullopt;
-  }
+  if (name.empty())
+    return line.fail("expected the name of the layer, got the end");
+  if (!names.insert(name).second)  // its weights would take memory once more
+    return line.fail(fmt::format("the layer {} is there already", quote(name)));
   if (layer.kind == LayerKind::linear)
     if (const std::string_view activation = line.word(); !activation.empty()) {
       const auto found = enum_named<Activation>(activation);
-      if (!found) {
-        line.fail(fmt::format("there is no activation {}{}", quote(activation),
-                              did_you_mean(activation, kActivations)));
-        return std::nullopt;
-      }
+      if (!found)
+        return line.fail(fmt::format("there is no activation {}{}", quote(activation),
+                                     did_you_mean(activation, kActivations)));
       layer.activation = *found;
     }
   if (!line.end())
@@ -187,12 +178,9 @@ std::optional<Network::Layer> Network::read_layer(LayoutLine& line, std::size_t 
     return std::nullopt;
   const std::size_t sums = weights->size() / inputs;
   layer.out = sums / gates;
-  if (layer.out == 0 || layer.out > kMostUnits || sums % gates != 0) {
-    diagnostics.error({tensors.file()},
-                      fmt::format("tensor {}: {} rows make no layer of 1 to {} units",
-                                  quote(name + ".weight" + end), sums, kMostUnits));
-    return std::nullopt;
-  }
+  if (layer.out == 0 || layer.out > kMostUnits || sums % gates != 0)
+    return diagnostics.error({tensors.file()}, "tensor {}: {} rows make no layer of 1 to {} units",
+                             quote(name + ".weight" + end), sums, kMostUnits);
   const auto bias = numbers(tensors, name + ".bias" + end, {sums}, diagnostics);
   if (!bias)
     return std::nullopt;

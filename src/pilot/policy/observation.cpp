@@ -34,20 +34,16 @@ std::optional<Feature> Feature::read(LayoutLine& line, std::span<const Feature>)
   ubf::FieldNames names;
   const std::string_view name = line.word();
   Feature feature{.field = static_cast<std::uint32_t>(names.find(kInfos, name))};
-  if (feature.field == kInfos.size()) {
-    line.fail(names.unknown(kInfos, name));
-    return std::nullopt;
-  }
+  if (feature.field == kInfos.size())
+    return line.fail(names.unknown(kInfos, name));
   static constexpr auto kTransforms = enum_names<Transform>();
   const std::string_view transform = line.word();
   const std::optional<Transform> found = enum_named<Transform>(transform);
-  if (!found) {
-    line.fail(transform.empty()
-                  ? "expected linear, sine, cosine or present behind the name, got the end"
-                  : fmt::format("expected linear, sine, cosine or present, got {}{}",
-                                quote(transform), did_you_mean(transform, kTransforms)));
-    return std::nullopt;
-  }
+  if (!found)
+    return line.fail(transform.empty()
+                         ? "expected linear, sine, cosine or present behind the name, got the end"
+                         : fmt::format("expected linear, sine, cosine or present, got {}{}",
+                                       quote(transform), did_you_mean(transform, kTransforms)));
   feature.transform = *found;
   const Dimension dimension = kInfos[feature.field].unit.dimension;
   if (*found == Transform::linear) {
@@ -57,10 +53,8 @@ std::optional<Feature> Feature::read(LayoutLine& line, std::span<const Feature>)
     std::tie(feature.low, feature.high) = *range;
     return line.end() ? std::optional(feature) : std::nullopt;
   }
-  if (*found != Transform::present && dimension != Dimension::angle) {
-    line.fail(fmt::format("{} is no angle: {} is for angles", quote(name), transform));
-    return std::nullopt;
-  }
+  if (*found != Transform::present && dimension != Dimension::angle)
+    return line.fail(fmt::format("{} is no angle: {} is for angles", quote(name), transform));
   return line.end() ? std::optional(feature) : std::nullopt;
 }
 

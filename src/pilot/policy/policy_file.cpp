@@ -80,11 +80,9 @@ std::optional<PolicyFile> PolicyFile::read(std::string bytes, FileName file,
   if (!network)
     return std::nullopt;
   policy.network = std::move(*network);
-  if (!policy.votes && policy.network.outputs() != policy.controls.size()) {
-    words.error(fmt::format("outputs of the network: {}, controls: {}", policy.network.outputs(),
-                            policy.controls.size()));
-    return std::nullopt;
-  }
+  if (!policy.votes && policy.network.outputs() != policy.controls.size())
+    return diagnostics.error({tensors->file()}, "outputs of the network: {}, controls: {}",
+                             policy.network.outputs(), policy.controls.size());
   return policy;
 }
 

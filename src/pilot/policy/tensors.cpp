@@ -13,16 +13,13 @@ namespace {
 
 constexpr std::size_t kLength = 8, kMostDimensions = 8;
 
-std::optional<std::size_t> whole_number(const Value& value) {
-  return value.is_scalar() ? number_from<std::size_t>(value.text) : std::nullopt;
-}
-
 std::optional<std::vector<std::size_t>> whole_numbers(const Value* list, std::size_t most) {
   if (!list || !list->is_list() || list->items.size() > most)
     return std::nullopt;
   std::vector<std::size_t> numbers;
   for (const Value& item : list->items) {
-    const auto number = whole_number(item);
+    const auto number =
+        item.is_scalar() ? number_from<std::size_t>(item.text) : std::optional<std::size_t>();
     if (!number)
       return std::nullopt;
     numbers.push_back(*number);
@@ -106,11 +103,10 @@ std::optional<TensorFile> TensorFile::read(std::string bytes, FileName file,
   for (std::size_t i = 0; i < kLength && i < all.size(); ++i)
     length |= std::uint64_t{static_cast<unsigned char>(all[i])} << (8 * i);
   const bool is_whole = all.size() >= kLength && length <= all.size() - kLength;
-  if (!is_whole || length > kLargestHeader) {
-    diagnostics.error({file}, is_whole ? "its header is larger than 1 MB"
-                                       : "no file of tensors (.safetensors), or one that is cut");
-    return std::nullopt;
-  }
+  if (!is_whole || length > kLargestHeader)
+    return diagnostics.error({file}, is_whole
+                                         ? "its header is larger than 1 MB"
+                                         : "no file of tensors (.safetensors), or one that is cut");
   const auto header_size = static_cast<std::size_t>(length);
   const std::string_view data = all.substr(kLength + header_size);
   const Value header =
@@ -135,16 +131,12 @@ std::optional<TensorFile> TensorFile::read(std::string bytes, FileName file,
 }
 
 const Tensor* TensorFile::find(std::string_view name) const {
-  const auto found = std::find_if(tensors_.begin(), tensors_.end(),
-                                  [&](const Tensor& tensor) { return tensor.name == name; });
+  const auto found = std::ranges::find(tensors_, name, &Tensor::name);
   return found == tensors_.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> TensorFile::names() const {
-  std::vector<std::string> names;
-  for (const Tensor& tensor : tensors_)
-    names.push_back(tensor.name);
-  return names;
+  return listed(tensors_, &Tensor::name);
 }
 
 std::optional<std::string> TensorFile::word(const std::string& name) const {
