@@ -11,7 +11,6 @@
 #include "pilot/behavior/shoot_gun.hpp"
 #include "pilot/behavior/ways.hpp"
 #include "pilot/conditions.hpp"
-#include "pilot/danger_conditions.hpp"
 #include "ubf/standard_nodes.hpp"
 
 namespace eyrie::pilot {

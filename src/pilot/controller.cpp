@@ -3,7 +3,7 @@
 
 #include "model/weapon/stores.hpp"
 #include "pilot/danger.hpp"
-#include "pilot/shots.hpp"
+#include "pilot/gunnery.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/danger.hpp"
 
-#include "pilot/shots.hpp"
+#include "pilot/gunnery.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What a pilot sees in his sight: where the bore must point, and who else is in the line.
+/// \file  What a pilot reckons before he shoots: where the bore must point, when a missile arrives,
+/// and who else is in the line.
 #include "model/weapon/gun.hpp"
 #include "pilot/state.hpp"
 
@@ -54,5 +55,30 @@ bool any_friend(const State& s, const Holds& holds) {
 
 /// Whether a friend is believed within `radius` (m) of a place (NED at the ownship).
 [[nodiscard]] bool friend_near(const State& state, const Vec3& place, double radius);
+
+/// s, until a missile that leaves now will have arrived, as a pilot reckons: the range over the
+/// speed at which they close, where the missile adds half of its ideal speed gain to the speed of
+/// the aircraft on average (drag takes the other half, [judgement]: docs/models/missile.md has the
+/// flights), and no longer than its battery lasts.
+[[nodiscard]] double time_of_flight(const State& state, const Seen& target,
+                                    const model::MissileType& missile);
+
+/// m, the F-pole: how far apart shooter and target will be when the missile arrives, if both keep
+/// their course.
+[[nodiscard]] double f_pole(const State& state, const Seen& target,
+                            const model::MissileType& missile);
+
+/// Where friends must not be while a missile looks for its target.
+struct Clearance {
+  double half_angle = 0;  ///< rad, of the cone ahead of the seeker, at least half its field of view
+  double beyond = 0;      ///< m, behind the target that the cone reaches
+  double turn = 0;        ///< g, with which friends may leave their course until then
+};
+/// Whether a friend may be in the seeker's basket: in the cone from the missile to the target, from
+/// where the seeker is switched on until the missile arrives. Missile and target are carried on
+/// along straight lines, friends along theirs, give or take what they can turn until then and two
+/// standard deviations of a track.
+[[nodiscard]] bool friend_in_basket(const State& state, const Seen& target,
+                                    const model::MissileType& missile, const Clearance& clearance);
 
 }  // namespace eyrie::pilot

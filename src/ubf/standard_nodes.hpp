@@ -14,8 +14,7 @@
 #include "ubf/decorator/for_each.hpp"
 #include "ubf/decorator/outcome.hpp"
 #include "ubf/decorator/timing.hpp"
-#include "ubf/leaf/constant.hpp"
-#include "ubf/leaf/holds.hpp"
+#include "ubf/leaf.hpp"
 #include "ubf/registry.hpp"
 #include "ubf/sequencer.hpp"
 

@@ -4,7 +4,6 @@
 #include <bitset>
 
 #include "model/weapon/stores.hpp"
-#include "pilot/gunnery.hpp"
 #include "ubf/memory.hpp"
 
 namespace eyrie::pilot {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "pilot/shots.hpp"
+#include "pilot/gunnery.hpp"
 #include "pilot/sort.hpp"
 #include "pilot/trees.hpp"
 

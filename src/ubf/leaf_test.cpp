@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/leaf/constant.hpp"
+#include "ubf/leaf.hpp"
 
 #include <gtest/gtest.h>
 
