@@ -47,22 +47,6 @@ class FieldMerge {
   std::array<float, kFields<Action>> votes_ = nobody();
 };
 
-/// What several children that did not fail propose at once, with or without votes, as one proposal:
-/// the action field by field, the highest vote and its leader. For control nodes.
-template <class Action>
-class GatherAll {
- public:
-  void add(const Proposal<Action>& proposal, Proposal<Action>& into) {
-    merge_.add(proposal, into.action);
-    if (proposal.vote > into.vote || (into.leader == kNone && !proposal.is_empty()))
-      into.leader = proposal.leader;
-    into.vote = proposal.vote > into.vote ? proposal.vote : into.vote;
-  }
-
- private:
-  FieldMerge<Action> merge_;
-};
-
 /// One sum per field of an action, each of type `SumOf<Field>`.
 template <class Action, template <class> class SumOf>
 class FieldSums {

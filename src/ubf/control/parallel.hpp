@@ -41,9 +41,10 @@ class AtOnce : public WithMemory<Control<State, Action>, ParallelMemory> {
                        count == 1 ? "is 1 child" : fmt::format("are {} children", count));
   }
   /// Asks the children that have not ended, and notes in `m` who ends now. What goes up is merged
-  /// from them. `once`: who ended will not be asked again before the node starts anew.
+  /// from them field by field, also of those without a vote, with the highest vote and its leader.
+  /// `once`: who ended will not be asked again before the node starts anew.
   void ask_all(const Tick<State>& t, Proposal<Action>& out, ParallelMemory& m, bool once) const {
-    GatherAll<Action> gather;
+    FieldMerge<Action> merge;
     Scratch<Action> scratch;
     Proposal<Action>& next = scratch.get();
     for (std::size_t i = 0; i < this->children_.size(); ++i) {
@@ -51,8 +52,12 @@ class AtOnce : public WithMemory<Control<State, Action>, ParallelMemory> {
         continue;
       const auto& child = *this->children_[i];
       const Status answer = this->ask(child, t, next);
-      if (answer != Status::failure)
-        gather.add(next, out);
+      if (answer != Status::failure) {
+        merge.add(next, out.action);
+        if (next.vote > out.vote || (out.leader == kNone && !next.is_empty()))
+          out.leader = next.leader;
+        out.vote = std::max(out.vote, next.vote);
+      }
       m.ended |= std::uint64_t{answer != Status::running} << i;
       m.failed |= std::uint64_t{answer == Status::failure} << i;
       if (once && answer != Status::running)
