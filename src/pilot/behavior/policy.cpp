@@ -58,10 +58,6 @@ void make_votes(Votes how, std::span<float> numbers) {
 
 }  // namespace
 
-std::size_t Policy::memory_bytes() const noexcept {
-  return policy_ ? policy_->network.memory() * sizeof(float) : 0;
-}
-
 std::string Policy::problem() const {
   return policy_ ? "" : "a policy needs the file of a network";
 }
@@ -87,10 +83,6 @@ Status Policy::tick(const Tick& t, Proposal& out) const {
     out.action.trigger.reset();
   out.vote = vote_;
   return Status::running;
-}
-
-std::size_t LearnedVote::memory_bytes() const noexcept {
-  return policy_ ? policy_->network.memory() * sizeof(float) : 0;
 }
 
 std::string LearnedVote::problem() const {
