@@ -51,12 +51,6 @@ void Teller::changes(const Agent& before, const Proposal& decided, Agent& agent)
     tell(EventKind::home, {}, 0);
 }
 
-}  // namespace eyrie::pilot
-
-template class eyrie::team::AgentSystem<eyrie::pilot::Piloting>;
-
-namespace eyrie::pilot {
-
 std::vector<team::Perceived> perceived(const State& s) {
   std::vector<team::Perceived> all;
   const auto off_nose = [&](double bearing) {
@@ -98,3 +92,5 @@ std::vector<team::Perceived> perceived(const State& s) {
 }
 
 }  // namespace eyrie::pilot
+
+template class eyrie::team::AgentSystem<eyrie::pilot::Piloting>;

@@ -38,18 +38,16 @@ class Taken {
   template <typename Range>
   [[nodiscard]] std::int32_t choose(std::uint32_t member, const Range& range_of) const {
     std::int32_t best = -1;
-    int best_taken = 0;
-    double best_range = 0;
+    std::pair<int, double> least;
     for (std::uint32_t k = 0; k < s_.seen_count; ++k) {
       if (!s_.seen[k].hostile())
         continue;
       const bool faint = s_.time - s_.seen[k].track->time > kFaint;
-      const int taken = by((1U << member) - 1, s_.seen[k]) + (faint ? 1 : 0);
-      const double range = range_of(s_.seen[k]);
-      if (best < 0 || taken < best_taken || (taken == best_taken && range < best_range)) {
+      const std::pair rank(by((1U << member) - 1, s_.seen[k]) + (faint ? 1 : 0),
+                           range_of(s_.seen[k]));
+      if (best < 0 || rank < least) {
         best = static_cast<std::int32_t>(k);
-        best_taken = taken;
-        best_range = range;
+        least = rank;
       }
     }
     return best;

@@ -26,6 +26,20 @@ const Value* proposal_of(const Answer& node, const std::string& field) {
   return found == node.action.end() ? nullptr : &*found;
 }
 
+/// Whether the field that an arbiter blended is made of what a leaf proposed.
+bool is_part_of(const std::vector<Answer>& nodes, ubf::NodeIndex leaf, ubf::NodeIndex arbiter,
+                const std::string& field) {
+  for (std::size_t n = arbiter + 1U; n < nodes.size() && nodes[n].depth > nodes[arbiter].depth;
+       ++n) {
+    const Value* const value = proposal_of(nodes[n], field);
+    if (nodes[n].parent == arbiter && value && nodes[n].counted() > 0 &&
+        (value->supplier == leaf ||
+         (!nodes[value->supplier].is_leaf && is_part_of(nodes, leaf, value->supplier, field))))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Answer> unanswered(const ubf::AnyTree& tree) {
@@ -64,24 +78,6 @@ const std::string& decided_by(const std::vector<Answer>& nodes,
   const auto [a, b] = parted;
   return nodes[nodes[nodes[a].depth > nodes[b].depth ? a : b].parent].decided_by;
 }
-
-namespace {
-
-/// Whether the field that an arbiter blended is made of what a leaf proposed.
-bool is_part_of(const std::vector<Answer>& nodes, ubf::NodeIndex leaf, ubf::NodeIndex arbiter,
-                const std::string& field) {
-  for (std::size_t n = arbiter + 1U; n < nodes.size() && nodes[n].depth > nodes[arbiter].depth;
-       ++n) {
-    const Value* const value = proposal_of(nodes[n], field);
-    if (nodes[n].parent == arbiter && value && nodes[n].counted() > 0 &&
-        (value->supplier == leaf ||
-         (!nodes[value->supplier].is_leaf && is_part_of(nodes, leaf, value->supplier, field))))
-      return true;
-  }
-  return false;
-}
-
-}  // namespace
 
 ubf::NodeIndex lost_in(const std::vector<Answer>& nodes, ubf::NodeIndex node, ubf::NodeIndex top) {
   const auto comes_up = [&](const Value& v) {  // a blend may be made of it

@@ -7,17 +7,6 @@
 #include "ubf/spec.hpp"
 
 namespace eyrie::ubf {
-namespace {
-
-/// Whether a node stands depends on its children, so from the leaves up.
-template <class Node, class Visit>
-void from_the_leaves(Node& node, Visit visit) {
-  for (const auto& child : node.children())
-    from_the_leaves(*child, visit);
-  visit(node);
-}
-
-}  // namespace
 
 std::vector<ParamValue> AnyNode::values() const {
   std::vector<ParamValue> all;
@@ -78,7 +67,9 @@ void AnyTree::lay_out() {
                              nodes_[i].node->type(), problem);
   if (!refused.empty())
     throw std::logic_error(fmt::format("tree {} cannot be made{}", quote(name_), refused));
-  from_the_leaves(*root_, [](AnyNode& node) { node.stands_ = node.stands(); });
+  // depends on the children, which stand behind their parents
+  for (auto place = nodes_.rbegin(); place != nodes_.rend(); ++place)
+    place->node->stands_ = place->node->stands();
 }
 
 void AnyTree::place(AnyNode& node, NodeIndex parent, std::size_t depth) {

@@ -185,7 +185,7 @@ class AnyTree {
 
  private:
   struct Place {
-    const AnyNode* node;
+    AnyNode* node;
     NodeIndex parent;
     std::uint16_t depth;
     NodeIndex among = kNone;  ///< which of the siblings of its label it is, kNone: the only one
