@@ -144,8 +144,8 @@ class NodeReader {
   [[nodiscard]] std::shared_ptr<const Made> made_of(const Value& name, Make make) {
     if (files_)
       return files_->made_of<Made>(name, diagnostics_, make);
-    error(name.where, fmt::format("there is no file {}: nodes of this tree have no files",
-                                  quote(name.text)));
+    error(name.where,
+          fmt::format("there is no file {}: nodes of this tree have no files", quote(name.text)));
     return nullptr;
   }
   [[nodiscard]] const StateFieldInfo& info(std::size_t field) const {
