@@ -220,15 +220,13 @@ export class AirPicture {
   svg(): string {
     const { frame } = this;
     const { notes, eye } = frame;
-    const pen = new SvgPen(notes.context);
-    const like = pen as unknown as CanvasRenderingContext2D;
-    const painter = new FlatPainter(document.createElement('canvas'), like, this.run);
+    const [pen, over] = [new SvgPen(), new SvgPen()];
+    const painter = new FlatPainter(document.createElement('canvas'), pen as unknown as CanvasRenderingContext2D, this.run);
     painter.paint(frame.palette);
     with_svg_paths(() => {
       const real = notes.context;
       const flat: Frame = { ...frame, lines: painter.lines, puffs: painter.puffs };
       // marks are drawn at once, and over the picture
-      const over = new SvgPen(real);
       notes.context = over as unknown as CanvasRenderingContext2D;
       painter.draw(flat, this.fill(flat, painter));
       notes.context = real;

@@ -30,9 +30,6 @@ class SvgPath {
     const corner = (dx: number, dy: number): string => `a${n(r)} ${n(r)} 0 0 1 ${n(dx)} ${n(dy)}`;
     this.d += `M${n(x + r)} ${n(y)}h${n(w - 2 * r)}${corner(r, r)}v${n(h - 2 * r)}${corner(-r, r)}h${n(2 * r - w)}${corner(-r, -r)}v${n(2 * r - h)}${corner(r, -r)}Z`;
   }
-  addPath(path: SvgPath): void {
-    this.d += path.d;
-  }
 }
 
 interface Gradient { id: string; addColorStop(at: number, color: string): void }
@@ -50,10 +47,6 @@ export class SvgPen extends SvgPath {
   private readonly parts: string[] = [];
   private readonly gradients = new Map<string, { head: string; stops: string }>();
 
-  /** `measure` knows how wide words are. */
-  constructor(private readonly measure: CanvasRenderingContext2D) {
-    super();
-  }
   setTransform(): void {}
   clearRect(): void {}
   beginPath(): void {
@@ -61,9 +54,6 @@ export class SvgPen extends SvgPath {
   }
   setLineDash(dash: number[]): void {
     this.dash = dash;
-  }
-  measureText(text: string): TextMetrics {
-    return this.measure.measureText(text);
   }
   createRadialGradient(x0: number, y0: number, r0: number, x: number, y: number, r: number): Gradient {
     const id = `g${this.gradients.size}`;
@@ -77,9 +67,8 @@ export class SvgPen extends SvgPath {
   private paint(): string {
     return typeof this.fillStyle === 'string' ? this.fillStyle : `url(#${this.fillStyle.id})`;
   }
-  fill(path?: SvgPath | string, rule = ''): void {
-    const d = path instanceof SvgPath ? path.d : this.d;
-    if (d) this.put(`<path d="${d}" fill="${this.paint()}"${rule ? ` fill-rule="${rule}"` : ''}/>`);
+  fill(path: SvgPath = this, rule = ''): void {
+    if (path.d) this.put(`<path d="${path.d}" fill="${this.paint()}"${rule ? ` fill-rule="${rule}"` : ''}/>`);
   }
   stroke(path: SvgPath = this): void {
     const dash = this.dash.length ? ` stroke-dasharray="${this.dash.map(n).join(' ')}"` : '';
