@@ -25,43 +25,16 @@ export function words_of(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-/** What a C++ library asks of its system: nothing but to say its last words. */
-function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
-  const words: string[] = [];
-  return {
-    environ_get: () => 0,
-    environ_sizes_get(count: number, size: number) {
-      const view = new DataView(memory().buffer);
-      view.setUint32(count, 0, true);
-      view.setUint32(size, 0, true);
-      return 0;
-    },
-    fd_close: () => 0,
-    fd_seek: () => 0,
-    fd_write(_file: number, parts: number, count: number, written: number) {
-      const view = new DataView(memory().buffer);
-      let all = 0;
-      for (let i = 0; i < count; ++i) {
-        const [at, size] = [view.getUint32(parts + 8 * i, true), view.getUint32(parts + 8 * i + 4, true)];
-        words.push(new TextDecoder().decode(new Uint8Array(memory().buffer, at, size)));
-        all += size;
-      }
-      view.setUint32(written, all, true);
-      return 0;
-    },
-    proc_exit(code: number) {
-      throw new Error(`the engine ended with ${code}: ${words.join('')}`);
-    },
-  };
-}
+/** What a C++ library asks of its system, which has no files: nothing of that is open. */
+const kBadFile = 8;  // wasi's EBADF
+const kSystem = { fd_close: () => kBadFile, fd_seek: () => kBadFile, fd_write: () => kBadFile };
 
 export class Instance {
   private constructor(private readonly engine: Exports) {}
 
   static async of(module: WebAssembly.Module, progress: (time: number) => void): Promise<Instance> {
-    let engine: Exports;
-    const imports = { wasi_snapshot_preview1: system(() => engine.memory), eyrie: { progress } };
-    engine = (await WebAssembly.instantiate(module, imports)).exports as unknown as Exports;
+    const imports = { wasi_snapshot_preview1: kSystem, eyrie: { progress } };
+    const engine = (await WebAssembly.instantiate(module, imports)).exports as unknown as Exports;
     if (!engine.ask || !engine.bytes_at) throw new EngineError('the engine in this page is of another Eyrie than the page');
     engine._initialize();
     return new Instance(engine);

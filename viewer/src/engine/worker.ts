@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The engine in a thread of its own: answers one question after the other. */
-import { EngineError, Instance } from './module.ts';
+import { EngineError, Instance, words_of } from './module.ts';
 
 export interface Question { id: number; question: string; request: object; bytes?: Uint8Array }
 export type Said =
@@ -21,6 +21,6 @@ self.onmessage = async ({ data }: MessageEvent<{ module: WebAssembly.Module } | 
     const answered = (await instance).ask(question, request, bytes);
     say({ id, ...answered }, [answered.bytes.buffer]);
   } catch (error) {
-    say({ id, error: error instanceof Error ? error.message : String(error), problems: error instanceof EngineError ? error.problems : [] });
+    say({ id, error: words_of(error), problems: error instanceof EngineError ? error.problems : [] });
   }
 };
