@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** Moving in time: steps, jumps, zoom, and the clock. */
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
-import { run_clock, subscribe_paced, type Watch } from '../src/clock.ts';
+import { test, type TestContext } from 'node:test';
+import { run_clock, subscribe_paced } from '../src/clock.ts';
 import {
   fight_of, jump, keep_in_sight, measure, pan_by, step_decision, step_leader, toggle_play, toggle_zoom, zoom_by, zoom_to,
 } from '../src/ui/actions.ts';
@@ -103,35 +103,32 @@ test('playing from the end begins at the beginning', () => {
   assert.deepEqual([page.store.get().playing, page.store.get().time], [true, 0]);
 });
 
-/** Time as a test says. */
-class Stopped implements Watch {
-  time = 0;
-  private calls: { at: number; call: () => void }[] = [];
-  now(): number {
-    return this.time;
-  }
-  later(call: () => void, wait: number): () => void {
-    const one = { at: this.time + wait, call };
-    this.calls.push(one);
-    return () => {
-      this.calls = this.calls.filter((other) => other !== one);
-    };
+/** Time as a test says, instead of the machine's until the test is over. */
+class Stopped {
+  private time = 0;
+  private last = 0;
+  private readonly calls = new Map<number, { at: number; call: () => void }>();
+  constructor(t: TestContext) {
+    t.mock.method(performance, 'now', () => this.time);
+    t.mock.method(globalThis, 'setTimeout', (call: () => void, wait: number) => {
+      this.calls.set(++this.last, { at: this.time + wait, call });
+      return this.last;
+    });
+    t.mock.method(globalThis, 'clearTimeout', (timer: number) => void this.calls.delete(timer));
   }
   pass(ms: number): void {
     this.time += ms;
-    const due = this.calls.filter(({ at }) => at <= this.time);
-    this.calls = this.calls.filter(({ at }) => at > this.time);
-    for (const { call } of due) call();
+    for (const [timer, { at, call }] of [...this.calls]) if (at <= this.time && this.calls.delete(timer)) call();
   }
 }
 
-test('the clock moves the time by what has passed times the rate, and stops at the end', () => {
+test('the clock moves the time by what has passed times the rate, and stops at the end', (t) => {
   const frames: FrameRequestCallback[] = [];
   Object.assign(globalThis, { requestAnimationFrame: (f: FrameRequestCallback) => frames.push(f), cancelAnimationFrame: () => undefined });
   const { store } = page_of(kRun, { rate: 4, end: 0.6 });
-  const watch = new Stopped();
+  const watch = new Stopped(t);
   watch.pass(5000);
-  const stop = run_clock(store, watch);
+  const stop = run_clock(store);
   store.set({ playing: true });
   frames.pop()!(5100);
   near(store.get().time, 0.4);
@@ -140,13 +137,13 @@ test('the clock moves the time by what has passed times the rate, and stops at t
   stop();
 });
 
-test('a frame that began before the clock was started moves no time', () => {
+test('a frame that began before the clock was started moves no time', (t) => {
   const frames: FrameRequestCallback[] = [];
   Object.assign(globalThis, { requestAnimationFrame: (f: FrameRequestCallback) => frames.push(f), cancelAnimationFrame: () => undefined });
   const { store } = page_of(kRun, { rate: 4 });
-  const watch = new Stopped();
+  const watch = new Stopped(t);
   watch.pass(5000);
-  const stop = run_clock(store, watch);
+  const stop = run_clock(store);
   store.set({ playing: true });
   frames.pop()!(4990);
   assert.equal(store.get().time, 0);
@@ -155,11 +152,11 @@ test('a frame that began before the clock was started moves no time', () => {
   stop();
 });
 
-test('panels are told at once of all but the time, and of the time at a pace', () => {
+test('panels are told at once of all but the time, and of the time at a pace', (t) => {
   const { store } = page_of(kRun, { playing: true });
-  const watch = new Stopped();
+  const watch = new Stopped(t);
   let told = 0;
-  const stop = subscribe_paced(store, () => ++told, watch);
+  const stop = subscribe_paced(store, () => ++told);
   for (let i = 1; i <= 20; ++i) store.set({ time: i / 100 });
   assert.equal(told, 1);
   store.set({ selected: 1 });
