@@ -42,9 +42,8 @@ export class Sharpness {
 /** ms: who asks for a picture later than this after the last one was not waiting for it. */
 const kPatience = 25;
 
+/** Tells pictures that follow each other from those that stand alone. */
 export class Meter {
-  private count = 0;
-  private worst = 0;
   private began = -Infinity;
   private ended = -Infinity;
   private waiting = false;
@@ -54,23 +53,12 @@ export class Meter {
     this.waiting = now - this.ended < kPatience;
   }
 
-  /**
-   * A picture that was begun and ended then. Its time is that since the one before if it was wanted at once, else its own.
-   * Returns the first, or null.
-   */
+  /** A picture was begun and ended then: ms since the one before was begun, if this one was wanted at once; else null. */
   drawn(began: number, ended: number): number | null {
     const interval = this.waiting ? began - this.began : null;
-    this.worst = Math.max(this.worst, interval ?? ended - began);
     this.began = began;
     this.ended = ended;
     this.waiting = false;
-    ++this.count;
     return interval;
-  }
-
-  read(): { count: number; worst_ms: number } {
-    const out = { count: this.count, worst_ms: this.worst };
-    this.count = this.worst = 0;
-    return out;
   }
 }

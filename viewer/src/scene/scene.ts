@@ -116,10 +116,6 @@ export class AirPicture {
     });
   }
 
-  /** Since the last call: pictures drawn, and ms from one to the next while they follow each other. */
-  frames(): ReturnType<Meter['read']> {
-    return this.meter.read();
-  }
   /** Whether no other picture is to come by itself, and this one has all its pixels. */
   is_still(): boolean {
     return !this.asked && this.sharpness.scale === 1;
