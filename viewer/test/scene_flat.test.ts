@@ -89,7 +89,7 @@ test('a segment is cut where it passes the eye', () => {
 test('legs that follow each other in one colour are one line', () => {
   const eye = eye_at();
   const lines = new FlatLines();
-  lines.begin();
+  lines.clear();
   lines.pen(0x112233, 2);
   lines.add(0, 0, 0, 5, 0, 0, 0.5);
   lines.add(5, 0, 0, 5, 0, 5, 0.5);
@@ -103,14 +103,14 @@ test('legs that follow each other in one colour are one line', () => {
   assert.deepEqual(first!.ops.map(([op]) => op), ['move', 'line', 'line', 'move', 'line']);
   assert.deepEqual([first!.style, first!.width, first!.dash], ['rgba(17,34,51,0.5)', 2, []]);
   assert.equal(second!.dash.reduce((a, b) => a + b), 10);
-  lines.begin();
+  lines.clear();
   assert.deepEqual(strokes_of(lines, eye), [], 'the next picture begins empty');
 });
 
 test('many segments of many widths are few strokes', () => {
   const eye = eye_at();
   const lines = new FlatLines();
-  lines.begin();
+  lines.clear();
   const count = 5000;
   for (let i = 0; i < count; ++i) {
     lines.pen(0x808080, 2 + (4 * i) / count);

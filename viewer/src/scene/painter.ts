@@ -5,7 +5,6 @@ import type { Eye } from './eye.ts';
 import { FlatPainter } from './flat/painter.ts';
 import type { Frame } from './frame.ts';
 import { GlPainter } from './gl/painter.ts';
-import type { Palette } from './palette.ts';
 import type { Volume } from './radar.ts';
 
 /** Segments in scene units. */
@@ -29,10 +28,7 @@ export interface Painter {
   readonly puffs: Discs;
   /** Size of the picture in CSS px, and how many of its own pixels are drawn for each of those. */
   resize(width: number, height: number, ratio: number): void;
-  paint(palette: Palette): void;
-  /** Lines and puffs of the next picture follow. */
-  begin(): void;
-  /** The picture: ground, everybody, the radar's volume, and what was given to lines and puffs. */
+  /** The picture: ground, everybody, the radar's volume, and what was given to lines and puffs, which are then empty for the next. */
   draw(frame: Frame, volume: Volume | null): void;
   dispose(): void;
 }

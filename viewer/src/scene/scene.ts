@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The air picture: mounts into a host, follows the store, draws when something changed. */
 import type { Place, Player, Run } from '../run/run.ts';
-import type { Cell, Store, View } from '../store.ts';
+import type { Cell, Store } from '../store.ts';
 import { listen } from '../events.ts';
 import { measure } from '../ui/actions.ts';
 import { rem_size } from '../ui/canvas.ts';
@@ -44,7 +44,6 @@ export class AirPicture {
   private readonly frame: Frame;
   private readonly meter = new Meter();
   private readonly sharpness = new Sharpness();
-  private theme: View['theme'] | null = null;
   private asked = 0;
   private drawn_at = 0;
   private told_at = -Infinity;
@@ -147,19 +146,11 @@ export class AirPicture {
     this.draw(performance.now());
   }
 
-  private paint(): void {
-    const { frame, host } = this;
-    this.theme = frame.view.theme;
-    frame.palette = palette_of(frame.view.theme);
-    frame.notes.palette = frame.palette;
-    this.painter.paint(frame.palette);
-    host.style.backgroundColor = css(frame.palette.sky);
-  }
-
   private draw(now: number): void {
     const { frame, camera } = this;
     const { view, players, missiles, eye } = frame;
-    if (this.theme !== view.theme) this.paint();
+    frame.palette = frame.notes.palette = palette_of(view.theme);
+    this.host.style.backgroundColor = css(frame.palette.sky);
     players.update(view.time);
     missiles.update(view.time);
     const selected = this.run.players[view.selected];
@@ -169,7 +160,7 @@ export class AirPicture {
     this.drawn_at = now;
     eye.look(camera.rig.stance());
 
-    this.painter.draw(frame, this.fill(frame, this.painter));
+    this.painter.draw(frame, this.fill(frame));
     this.filmed?.();
     const interval = this.meter.drawn(now, performance.now());
     if (this.sharpness.judge(interval, frame.notes.canvas.width * frame.notes.canvas.height)) this.sharpen();
@@ -218,13 +209,12 @@ export class AirPicture {
     const { notes, eye } = frame;
     const [pen, over] = [new SvgPen(), new SvgPen()];
     const painter = new FlatPainter(document.createElement('canvas'), pen as unknown as CanvasRenderingContext2D, this.run);
-    painter.paint(frame.palette);
     with_svg_paths(() => {
       const real = notes.context;
       const flat: Frame = { ...frame, lines: painter.lines, puffs: painter.puffs };
       // marks are drawn at once, and over the picture
       notes.context = over as unknown as CanvasRenderingContext2D;
-      painter.draw(flat, this.fill(flat, painter));
+      painter.draw(flat, this.fill(flat));
       notes.context = real;
       pen.append(over);
     });
@@ -232,8 +222,7 @@ export class AirPicture {
   }
 
   /** Lines, puffs and marks of all layers; what is left is what the radar sweeps. */
-  private fill(frame: Frame, painter: Painter): Volume | null {
-    painter.begin();
+  private fill(frame: Frame): Volume | null {
     frame.notes.begin();
     draw_hud(frame);
     draw_trails(frame);

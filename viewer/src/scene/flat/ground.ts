@@ -14,17 +14,13 @@ const kVeils = 10;
 
 export class FlatGround {
   private readonly coast: Coast;
-  private readonly shores = new FlatLines();  // They stay as they are until the colours change.
+  private readonly shores = new FlatLines();
+  private palette: Palette | null = null;  // Of the shores.
   private readonly grid = new FlatLines();
   private readonly disc = circle_on_ground(0, 0, kReach);
 
   constructor(origin: Origin) {
     this.coast = coast_of(origin);
-  }
-
-  paint(palette: Palette): void {
-    this.shores.begin();
-    draw_shores(this.shores, this.coast, palette);
   }
 
   draw(context: CanvasRenderingContext2D, eye: Eye, palette: Palette, coast: boolean): void {
@@ -39,9 +35,9 @@ export class FlatGround {
     }
     if (coast) this.draw_land(context, eye, palette);
     if (!plain) this.draw_haze(context, eye, palette, x, z);
-    this.grid.begin();
     draw_grid(this.grid, grid_of(eye), palette);
     this.grid.draw(context, eye);
+    this.grid.clear();
   }
 
   private draw_land(context: CanvasRenderingContext2D, eye: Eye, palette: Palette): void {
@@ -49,6 +45,11 @@ export class FlatGround {
     const { land: corners } = this.coast;
     for (let i = 0; i < corners.length / 3; i += 3) trace_area(land, eye, corners, i, 3);
     fill(context, palette.land, 1, land);
+    if (palette !== this.palette) {
+      this.palette = palette;
+      this.shores.clear();
+      draw_shores(this.shores, this.coast, palette);
+    }
     this.shores.draw(context, eye);
   }
 

@@ -35,7 +35,7 @@ export class FlatLines implements Pens {
   private readonly pens = new Map<string, Pen>();
   private current: Pen | null = null;
 
-  begin(): void {
+  clear(): void {
     this.pens.clear();
   }
 

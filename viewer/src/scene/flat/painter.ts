@@ -3,7 +3,6 @@
 import type { Run } from '../../run/run.ts';
 import type { Frame } from '../frame.ts';
 import type { Painter } from '../painter.ts';
-import type { Palette } from '../palette.ts';
 import type { Volume } from '../radar.ts';
 import { FlatFleet } from './fleet.ts';
 import { FlatGround } from './ground.ts';
@@ -32,21 +31,13 @@ export class FlatPainter implements Painter {
     this.canvas.height = Math.round(height * ratio);
   }
 
-  paint(palette: Palette): void {
-    this.ground.paint(palette);
-  }
-
-  begin(): void {
-    this.lines.begin();
-    this.puffs.begin();
-  }
-
   draw({ eye, palette, view, players, missiles }: Frame, volume: Volume | null): void {
     const { context } = this;
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     this.ground.draw(context, eye, palette, view.layers.coast);
     if (volume) draw_volume(context, eye, palette, volume);
     this.lines.draw(context, eye);
+    this.lines.clear();
     this.players.draw(context, players, eye, palette);
     this.missiles.draw(context, missiles, eye, palette);
     this.puffs.draw(context, eye);

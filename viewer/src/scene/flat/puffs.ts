@@ -29,10 +29,6 @@ export class FlatPuffs implements Discs {
   private puffs: Parameters<Discs['add']>[] = [];
   private readonly discs = new Map<number, HTMLCanvasElement>();
 
-  begin(): void {
-    this.puffs = [];
-  }
-
   add(...puff: Parameters<Discs['add']>): void {
     if (this.puffs.length < kMost) this.puffs.push(puff);
   }
@@ -46,5 +42,6 @@ export class FlatPuffs implements Discs {
       context.drawImage(disc, eye.px - radius, eye.py - radius, 2 * radius, 2 * radius);
     }
     context.globalAlpha = 1;
+    this.puffs = [];
   }
 }

@@ -16,17 +16,15 @@ interface Squadron {
 
 export class Fleet {
   private squadrons: Squadron[] = [];
-  private built = 0;  // For so many.
-  private palette: Palette | null = null;
+  private built = 0;  // For so many,
+  private palette: Palette | null = null;  // and in these colours.
   private readonly material = new MeshLambertMaterial({ side: DoubleSide });
   private readonly color = new Color();
 
   /** There may be more of them later. */
-  constructor(private readonly group: Group, private readonly all: readonly (Player | Missile)[]) {
-    this.build();
-  }
+  constructor(private readonly group: Group, private readonly all: readonly (Player | Missile)[]) {}
 
-  private build(): void {
+  private build(palette: Palette): void {
     for (const { mesh } of this.squadrons) {
       this.group.remove(mesh);
       mesh.geometry.dispose();
@@ -35,30 +33,21 @@ export class Fleet {
     this.squadrons = [];
     const shapes = this.all.map(shape_of);
     this.built = shapes.length;
+    this.palette = palette;
     for (const name of new Set(shapes)) {
       const { geometry, length } = kShapes[name]();
       const members = shapes.flatMap((shape, i) => (shape === name ? [i] : []));
       const mesh = new InstancedMesh(geometry, this.material, members.length);
       mesh.instanceMatrix.setUsage(DynamicDrawUsage);
       mesh.frustumCulled = false;
+      members.forEach((i, slot) => mesh.setColorAt(slot, this.color.setHex(palette.side[this.all[i]!.side])));
       this.squadrons.push({ mesh, name, length: length / 1000, members });
       this.group.add(mesh);
     }
   }
 
-  paint(palette: Palette): void {
-    this.palette = palette;
-    for (const { mesh, members } of this.squadrons) {
-      members.forEach((i, slot) => mesh.setColorAt(slot, this.color.setHex(palette.side[this.all[i]!.side])));
-      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
-    }
-  }
-
-  update(poses: Poses, eye: Eye): void {
-    if (this.all.length > this.built) {
-      this.build();
-      if (this.palette) this.paint(this.palette);
-    }
+  update(poses: Poses, eye: Eye, palette: Palette): void {
+    if (this.all.length > this.built || palette !== this.palette) this.build(palette);
     for (const { mesh, members, name, length } of this.squadrons) {
       const matrices = mesh.instanceMatrix.array as Float32Array;
       let used = 0;

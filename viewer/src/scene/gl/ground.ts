@@ -36,6 +36,7 @@ export class Ground {
   private readonly land: Flat;
   private readonly shores: Lines;
   private readonly grid: Lines;
+  private palette: Palette | null = null;  // In which it was painted.
 
   constructor(origin: Origin, screen: Screen) {
     this.coast = coast_of(origin);
@@ -46,25 +47,25 @@ export class Ground {
     this.group.add(this.sea, this.land, this.shores.mesh, this.grid.mesh);
   }
 
-  paint(palette: Palette): void {
+  private paint(palette: Palette): void {
+    this.palette = palette;
     // as the screen shows it: shaders write without conversion
     const put = (color: Color, tint: number): Color => color.setHex(tint, LinearSRGBColorSpace);
     put(this.sky.value, palette.sky);
     put(this.sea.material.uniforms.tint!.value as Color, palette.sea);
     put(this.land.material.uniforms.tint!.value as Color, palette.land);
-    this.shores.begin();
     draw_shores(this.shores, this.coast, palette);
     this.shores.end();
   }
 
   /** The grid around the middle of the picture; `coast` shows land and shores. */
   update(eye: Eye, palette: Palette, coast: boolean): void {
+    if (palette !== this.palette) this.paint(palette);
     this.land.visible = coast;
     this.shores.mesh.visible = coast;
     const { x, z } = eye.stance;
     this.middle.value.set(x, z);
     this.shores.haze.set(x, kReach, z);
-    this.grid.begin();
     draw_grid(this.grid, grid_of(eye), palette);
     this.grid.end();
   }

@@ -134,10 +134,6 @@ export class Lines implements Pens {
     this.mesh.geometry = this.geometry();
   }
 
-  begin(): void {
-    this.count = 0;
-  }
-
   pen(tint: number, width: number, dash = 0): void {
     this.tint = tint;
     this.width = width;
@@ -172,6 +168,7 @@ export class Lines implements Pens {
     ++this.count;
   }
 
+  /** What was added is drawn with the next picture, and what is added from now on with the one after. */
   end(): void {
     for (const buffer of [this.floats, this.bytes]) {
       buffer.clearUpdateRanges();
@@ -180,5 +177,6 @@ export class Lines implements Pens {
     }
     this.mesh.geometry.setDrawRange(0, this.count * 6);
     this.mesh.visible = this.count > 0;
+    this.count = 0;
   }
 }

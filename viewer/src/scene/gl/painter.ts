@@ -5,7 +5,7 @@ import type { Run } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import type { Frame } from '../frame.ts';
 import type { Painter } from '../painter.ts';
-import { kDiffuse, kGround, kSky, kSun, kSunlight, type Palette } from '../palette.ts';
+import { kDiffuse, kGround, kSky, kSun, kSunlight } from '../palette.ts';
 import type { Volume } from '../radar.ts';
 import { Fleet } from './fleet.ts';
 import { Ground } from './ground.ts';
@@ -53,22 +53,11 @@ export class GlPainter implements Painter {
     this.screen.ratio.value = ratio * this.eye.ui;
   }
 
-  paint(palette: Palette): void {
-    this.players.paint(palette);
-    this.missiles.paint(palette);
-    this.ground.paint(palette);
-  }
-
-  begin(): void {
-    this.lines.begin();
-    this.puffs.begin();
-  }
-
   draw({ eye, palette, view, players, missiles }: Frame, volume: Volume | null): void {
     this.renderer.setClearColor(palette.sky);
     this.ground.update(eye, palette, view.layers.coast);
-    this.players.update(players, eye);
-    this.missiles.update(missiles, eye);
+    this.players.update(players, eye, palette);
+    this.missiles.update(missiles, eye, palette);
     this.radar.update(volume, palette);
     this.lines.end();
     this.puffs.end();

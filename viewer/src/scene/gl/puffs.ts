@@ -54,10 +54,6 @@ export class Puffs implements Discs {
     this.mesh.renderOrder = order;
   }
 
-  begin(): void {
-    this.count = 0;
-  }
-
   add(x: number, y: number, z: number, radius: number, least: number, tint: number, alpha: number): void {
     if (this.count === kMost) return;
     (this.floats.array as Float32Array).set([x, y, z, radius, least], this.count * kFloats);
@@ -70,5 +66,6 @@ export class Puffs implements Discs {
     this.tints.needsUpdate = true;
     this.mesh.geometry.setDrawRange(0, this.count);
     this.mesh.visible = this.count > 0;
+    this.count = 0;
   }
 }
