@@ -122,26 +122,20 @@ export function path_of_leader(run: Run, shape: Shape): Set<number> {
   return way;
 }
 
-/** Which conditions made a node hold: itself, or what is below one that has no words of its own. */
-function conditions(tree: Tree, shape: Shape, node: number): string[] {
-  if (shape.status[node] !== 'success' || shape.supplier[node]?.some((supplier) => supplier >= 0)) return [];
+/** Which conditions made a node hold, or what made it fail: itself, or what is below one that has no words of its own. */
+function causes(tree: Tree, shape: Shape, node: number, answer: 'success' | 'failure'): number[] {
+  const proposes_some = shape.supplier[node]?.some((supplier) => supplier >= 0);
+  if (shape.status[node] !== answer || (answer === 'success' && proposes_some)) return [];
   const { label, type, children } = tree.nodes[node]!;
-  const all = label === type ? children.flatMap((child) => conditions(tree, shape, child)) : [];
-  return all.length ? all : [label];
-}
-
-/** What failed below a node, or the node itself: "in_sight does not hold", "pursue failed: no target". */
-function unmet(tree: Tree, shape: Shape, node: number): string[] {
-  if (shape.status[node] !== 'failure') return [];
-  const { label, type, children } = tree.nodes[node]!;
-  const all = label === type ? children.flatMap((child) => unmet(tree, shape, child)) : [];
-  return all.length ? all : [`${label} ${shape.why[node] === 'does not hold' ? 'does not hold' : answer_words(shape, node)}`];
+  const all = label === type ? children.flatMap((child) => causes(tree, shape, child, answer)) : [];
+  return all.length ? all : [node];
 }
 
 /** Because of what a node was not asked: what the sibling that was asked last has to say, if that failed. */
 function because_of(tree: Tree, shape: Shape, left: number, parent: number): string {
   const before = tree.nodes[parent]?.children.filter((child) => child < left && (shape.status[child] ?? null) !== null).at(-1);
-  const failed = before === undefined ? [] : unmet(tree, shape, before);
+  const failed = before === undefined ? [] : causes(tree, shape, before, 'failure').map((node) =>
+    `${tree.nodes[node]!.label} ${shape.why[node] === 'does not hold' ? 'does not hold' : answer_words(shape, node)}`);
   return failed.length ? `: ${failed.join(', ')}` : '';
 }
 
@@ -152,7 +146,7 @@ function transition(tree: Tree, shape: Shape, sequencer: number): string {
   for (const child of tree.nodes[sequencer]!.children) {
     if (shape.status[child] === null) continue;
     if (shape.vote[child]! > 0) to = ` for ${tree.nodes[child]!.label}`;
-    else because += conditions(tree, shape, child).map((one, i) => `${because || i ? ', ' : ': '}${one} holds`).join('');
+    else because += causes(tree, shape, child, 'success').map((one, i) => `${because || i ? ', ' : ': '}${tree.nodes[one]!.label} holds`).join('');
   }
   return to + because;
 }
