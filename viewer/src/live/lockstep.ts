@@ -42,7 +42,6 @@ export class Lockstep {
   private here = 0;
   private slice = 100;  // Steps that an answer may have.
   private draw_after = 0;  // ms
-  private over = false;
 
   /** `reached` is told each answer, `failed` why there are no more. */
   constructor(
@@ -54,23 +53,19 @@ export class Lockstep {
     this.grants.push(grant);
     if (!this.busy) void this.fly();
   }
-  end(): void {
-    this.over = true;
-  }
 
+  /** What has failed stays busy for good. */
   private async fly(): Promise<void> {
     this.busy = true;
     try {
-      while (this.grants.length && !this.over) {
+      while (this.grants.length) {
         const { grant, left } = merged(this.grants);
         this.grants = left;
         await this.reach(grant);
       }
-    } catch (error) {
-      if (!this.over) this.failed(error);
-      this.over = true;
-    } finally {
       this.busy = false;
+    } catch (error) {
+      this.failed(error);
     }
   }
 
@@ -82,7 +77,6 @@ export class Lockstep {
       const begun = this.now();
       const draw = last && (begun >= this.draw_after || (!this.grants.length && hash !== ''));
       const answer = await this.engine.advance({ step: to, orders: given, hash: last ? hash : '', outcome, draw });
-      if (this.over) return;
       given = [];
       const { moment, agrees } = answer;
       const took = Math.max(1, this.now() - begun);

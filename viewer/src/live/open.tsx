@@ -17,40 +17,38 @@ const kSpare = 10;
 
 /** Flies along from one joining to the next. */
 class Joined {
-  private lockstep: Lockstep | null = null;
-  private engine: RunningEngine | null = null;
-  private waiting: Grant[] = [];
-  private goal = 0;
+  private readonly engine: Promise<RunningEngine>;
+  private readonly lockstep: Promise<Lockstep>;
   until = Infinity;
-  over = false;
+  private over = false;
 
-  constructor(private readonly live: Live, private readonly told: (part: number) => void, private readonly drawn: (bytes: Uint8Array, engine: RunningEngine) => void) {}
-
-  async fly(module: WebAssembly.Module, file: Uint8Array, failed: (error: unknown) => void): Promise<void> {
-    const engine = await started(module);
-    if (this.over) return engine.end();
-    this.engine = engine;
-    const { about, flown } = await engine.follow(file);
-    if (this.over) return;
-    this.until = about.until ?? Infinity;
-    this.goal = flown.step;
-    this.lockstep = new Lockstep(engine, (news) => {
-      if (this.over) return;
-      if (news.drawn?.length) this.drawn(news.drawn, engine);
-      this.live.reached(news);
-      if (!news.drawn?.length && this.goal) this.told(Math.min(1, news.step / this.goal));
-    }, failed);
-    this.grant({ step: flown.step, hash: flown.hash, outcome: 'running' });
-    for (const grant of this.waiting) this.grant(grant);
+  constructor(
+    module: WebAssembly.Module, file: Uint8Array, live: Live, told: (part: number) => void,
+    drawn: (bytes: Uint8Array, engine: RunningEngine) => void, failed: (error: unknown) => void,
+  ) {
+    // what ends because the line broke again is joined anew
+    const fails = (error: unknown): void => void (this.over || failed(error));
+    this.engine = started(module);
+    this.lockstep = this.engine.then(async (engine) => {
+      const { about, flown } = await engine.follow(file);
+      this.until = about.until ?? Infinity;
+      const lockstep = new Lockstep(engine, (news) => {
+        if (this.over) return;
+        if (news.drawn?.length) drawn(news.drawn, engine);
+        live.reached(news);
+        if (!news.drawn?.length && flown.step) told(Math.min(1, news.step / flown.step));
+      }, fails);
+      lockstep.grant({ step: flown.step, hash: flown.hash, outcome: 'running' });
+      return lockstep;
+    });
+    this.lockstep.catch(fails);
   }
   grant(grant: Grant): void {
-    if (this.lockstep) this.lockstep.grant(grant);
-    else this.waiting.push(grant);
+    this.lockstep.then((lockstep) => lockstep.grant(grant), () => {});
   }
   end(): void {
     this.over = true;
-    this.lockstep?.end();
-    this.engine?.end();
+    this.engine.then((engine) => engine.end(), () => {});
   }
 }
 
@@ -89,8 +87,8 @@ export async function open_live(host: HTMLElement): Promise<void> {
     shown!.grow();
     requestAnimationFrame(() => (refresh_after = Math.max(begun + kRefresh, begun + kSpare * (performance.now() - begun))));
   };
-  const drawn = (first: boolean) => (bytes: Uint8Array, engine: RunningEngine): void => {
-    if (first || !grown) {
+  const drawn = (bytes: Uint8Array, engine: RunningEngine): void => {
+    if (!grown) {
       grown = new GrownRun(bytes, engine);
       if (shown) {
         const { run, store } = live.page!;
@@ -110,14 +108,8 @@ export async function open_live(host: HTMLElement): Promise<void> {
       joined?.end();
       live.disagreement.set(null);
       live.checked.set(-1);
-      let first = true;
-      const mine: Joined = (joined = new Joined(live, (part) => say(`Flying along: ${Math.floor(100 * part)} %`), (bytes, engine) => {
-        drawn(first)(bytes, engine);
-        first = false;
-      }));
-      // what ends because the line broke again is joined anew
-      const fails = (error: unknown): void => void (mine.over || failed(error));
-      mine.fly(module, file, fails).catch(fails);
+      grown = null;
+      joined = new Joined(module, file, live, (part) => say(`Flying along: ${Math.floor(100 * part)} %`), drawn, failed);
     },
     news(news) {
       live.news(news);
