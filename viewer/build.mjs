@@ -58,5 +58,5 @@ async function make(name, title, script_file, style_file) {
 
 await mkdir(folder, { recursive: true });
 await make('debrief.html', 'Eyrie debrief', 'src/main.tsx', 'src/style.css');
-if (engine) await make('playground.html', 'Eyrie playground', 'src/play/main.tsx', 'src/play/style.css');
+if (engine) await make('playground.html', 'Eyrie playground', 'src/play/playground.tsx', 'src/play/style.css');
 else await rm(join(folder, 'playground.html'), { force: true });

@@ -17,7 +17,7 @@ import { App } from './ui/app.tsx';
 import { link_pages } from './ui/compare.tsx';
 import type { Back } from './ui/header.tsx';
 import { follow_address, read_link, remembered } from './ui/link.ts';
-import { first_moment } from './ui/moments.tsx';
+import { first_moment } from './ui/story.tsx';
 import { speak } from './words/text.ts';
 import { grown, make_page, type Page } from './ui/page.ts';
 

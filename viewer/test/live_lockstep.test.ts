@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import type { Advance } from '../src/engine/questions.ts';
 import { Line, type Ear, type Socket } from '../src/live/line.ts';
 import { Lockstep, merged, type Reached } from '../src/live/lockstep.ts';
-import { next_shown } from '../src/live/present.ts';
+import { next_shown } from '../src/live/live.ts';
 
 test('grants up to the first with a hash are one', () => {
   const { grant, left } = merged([

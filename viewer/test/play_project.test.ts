@@ -4,10 +4,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { Text } from '@codemirror/state';
-import { Address } from '../src/play/address.ts';
+import { Address, link_of, read_link } from '../src/play/address.ts';
 import { offset } from '../src/play/editor.ts';
 import { edited, help_of, is_edited, is_seed, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
-import { link_of, read_link } from '../src/play/share.ts';
 
 const kShipped = {
   'scenarios/sweep.yaml': 'eyrie: 1\nhelp: "a sweep"\ninclude: [packages/pilots.yaml, packages/none.yaml]\nseed: 13  # why\ntrees:\n  own: navigate\nblue: {}\n',

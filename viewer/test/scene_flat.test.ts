@@ -22,7 +22,7 @@ class FakePath {
 }
 Object.assign(globalThis, { Path2D: FakePath });
 const { FlatLines } = await import('../src/scene/flat/lines.ts');
-const { trace_area } = await import('../src/scene/flat/areas.ts');
+const { trace_area } = await import('../src/scene/flat/ground.ts');
 const { level_of, shades_of } = await import('../src/scene/flat/fleet.ts');
 
 interface Stroke {

@@ -5,8 +5,7 @@ import { test } from 'node:test';
 import type { Side } from '../src/run/run.ts';
 import { clusters_of, kMarks as kLooks, marks_of, neighbor, pick_cluster, type Mark, type MarkKind } from '../src/ui/marks.ts';
 import { fight_of } from '../src/ui/actions.ts';
-import { first_moment, moments_of } from '../src/ui/moments.tsx';
-import { filtered } from '../src/ui/story.tsx';
+import { filtered, first_moment, moments_of } from '../src/ui/story.tsx';
 import { kPursues, kStory, page_of, told_run } from './ui_run.ts';
 
 const kRun = told_run([kPursues]);

@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: MIT
-/** The playground: the text of a scenario at the left, what became of it at the right. */
+/** The playground: the text of a scenario at the left, what became of it at the right. Opened with the texts that stand in the page. */
 import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
 import { EngineError, words_of } from '../engine/module.ts';
 import type { Problem } from '../engine/questions.ts';
 import { listen } from '../events.ts';
-import { started } from '../parts.ts';
-import { flown_again, put_theme, show_as_flown, type Opening, type Shown } from '../show.tsx';
-import type { View } from '../store.ts';
+import { engine_module, painted, parts, started } from '../parts.ts';
+import { type Opening, type Shown, flown_again, put_theme, say_failure, show_as_flown } from '../show.tsx';
+import { type View, first_view } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
 import { mind_manners } from '../ui/keys.tsx';
-import { remember_theme } from '../ui/link.ts';
+import { remember_theme, remembered } from '../ui/link.ts';
 import { Splitter } from '../ui/splitter.tsx';
 import { copy_text } from '../ui/what_if.tsx';
 import { use_asked } from '../ui/what_if_answer.ts';
 import { Address } from './address.ts';
-import { make_editor, type Editor } from './editor.ts';
+import { type Editor, make_editor } from './editor.ts';
 import { Flier, type Flight } from './flights.ts';
 import {
-  edited, help_of, is_seed, kFirst, name_of, scenarios, seed_of, texts_of, text_of, tree_names, with_includes, type Files,
-  type Project,
+  type Files, type Project, edited, help_of, is_seed, kFirst, name_of, scenarios, seed_of, text_of, texts_of, tree_names,
+  with_includes,
 } from './project.ts';
 import { Results } from './results.tsx';
 import { Grammar, type Schema } from './schema.ts';
+import { render } from 'preact';
+import { unpacked } from '../packed.ts';
 
 /** ms that the keyboard rests before the loader is asked. */
 const kRest = 150;
@@ -89,13 +91,12 @@ function Problems({ said: { problems, is_now }, onGo }: { said: Said; onGo: (pro
   );
 }
 
-export interface Opened {
+interface Texts {
   files: Files;
   schema: Schema;
-  module: WebAssembly.Module;
 }
 
-export function Playground({ files, schema, module, host, view }: Opened & { host: HTMLElement; view: View }) {
+function Playground({ files, schema, module, host, view }: Texts & { module: WebAssembly.Module; host: HTMLElement; view: View }) {
   const first: Project = { shipped: files, edits: {}, scenario: kFirst, seed: '' };
   const [project, put] = useState(first);
   const [file, put_file] = useState(kFirst);
@@ -322,3 +323,19 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     </div>
   );
 }
+
+async function open(host: HTMLElement): Promise<void> {
+  const view = { ...first_view(0), ...remembered() };
+  put_theme(view.theme);
+  const [texts] = parts('texts');
+  if (!texts) throw new Error('there are no texts in this page; ./eyrie playground writes one with them');
+  await painted();
+  const [module, bytes] = await Promise.all([engine_module(), unpacked(texts)]);
+  const { files, schema } = JSON.parse(new TextDecoder().decode(bytes)) as Texts;
+  host.replaceChildren();
+  render(<Playground files={files} schema={schema} module={module} host={host} view={view} />, host);
+  document.body.dataset['open'] = 'true';
+}
+
+const host = document.getElementById('app')!;
+open(host).catch((error: unknown) => say_failure(host, 'The playground cannot be opened', error));

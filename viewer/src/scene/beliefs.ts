@@ -4,7 +4,7 @@ import { last_at, type Place, type Player, type Side, type Sight, type TrackSeen
 import { kCrowd, range_words, x_of, y_of, z_of, type Frame } from './frame.ts';
 import type { Mark } from './notes.ts';
 import type { Palette } from './palette.ts';
-import { draw_arc } from './rings.ts';
+import { draw_arc } from './callouts.ts';
 
 const kMark: Record<TrackSeen['identity'], Mark> = { hostile: 'square', friendly: 'circle', unknown: 'diamond' };
 /** s: older tracks are pale, and say how old they are. */

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-/** What was asked of the picture: who is who, how far it is from one to the other, and where another decision led. */
+/** What was asked of the picture: who is who; how far it is, by rings, the bullseye, which is the scenario's reference, and a ruler; and
+ * where another decision led. */
 import { made } from '../made.ts';
 import type { Player, Run } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
 import { heading_text, quantity_text } from '../words/text.ts';
-import { climb_words, type Frame, height_words, kCrowd, kSideMark, near_km, x_of, y_of, z_of } from './frame.ts';
+import { type Frame, climb_words, far_km, height_words, kCrowd, kSideMark, near_km, range_words, x_of, y_of, z_of } from './frame.ts';
 import { convergence, measure } from './geo.ts';
 import { type GhostPoint, ghost_path } from './ghost.ts';
-import { gauge_at, place_at, type Points } from './motion.ts';
-import { true_heading } from './told.ts';
+import { type Points, gauge_at, place_at } from './motion.ts';
+import { true_heading } from './hud.ts';
+import { round_up } from './grid.ts';
 
 /** Of those in a crowd who do not matter to the selected player, so many have labels. */
 const kOthers = 12;
@@ -112,4 +114,45 @@ export function draw_ghost({ run, view, lines, palette, eye, notes }: Frame): vo
   notes.mark('triangle', eye.px, eye.py, 7, palette.ghost, 2);
   notes.reserve(eye.px - 9 * eye.ui, eye.py - 9 * eye.ui, 18 * eye.ui, 18 * eye.ui);
   notes.tag(-2, eye.px, eye.py, ghost.label || 'what if', `+${kGhostSpan} s`, palette.ghost, null, 96);
+}
+
+const kRings = 4;
+const kSides = 72;
+
+/** Around (x, y, z), from a bearing (rad) so far on; all around unless told. */
+export function draw_arc({ lines }: Frame, x: number, y: number, z: number, km: number, alpha: number, from = 0, span = 2 * Math.PI): void {
+  for (let k = 0; k < kSides; ++k) {
+    const [a, b] = [from + (span * k) / kSides, from + (span * (k + 1)) / kSides];
+    lines.add(x + km * Math.sin(a), y, z - km * Math.cos(a), x + km * Math.sin(b), y, z - km * Math.cos(b), alpha);
+  }
+}
+
+export function draw_rings(frame: Frame): void {
+  const { view, players, lines, palette, eye, notes } = frame;
+  const i = view.selected;
+  if (!view.layers.rings || !players.shown[i]) return;
+  const [x, y, z] = [players.x[i]!, players.y[i]!, players.z[i]!];
+  const step = round_up(eye.stance.height / far_km() / (2 * kRings)) * far_km();
+  lines.pen(palette.faint, 1.2);
+  for (let k = 1; k <= kRings; ++k) {
+    draw_arc(frame, x, y, z, k * step, 0.7);
+    if (eye.project(x, y, z - k * step) && eye.on_screen()) notes.write(range_words(k * step), eye.px, eye.py, palette.faint);
+  }
+}
+
+/** With where the selected player is from there. */
+export function draw_bullseye(frame: Frame): void {
+  const { run, view, players, lines, palette, eye, notes } = frame;
+  if (!view.layers.bullseye) return;
+  const km = 9 * eye.ui * eye.km_per_px(0, 0, 0);
+  lines.pen(palette.ruler, 1.6);
+  for (const part of [1, 0.5]) draw_arc(frame, 0, 0, 0, part * km, 0.95);
+  lines.add(-km * 1.5, 0, 0, km * 1.5, 0, 0, 0.95);
+  lines.add(0, 0, -km * 1.5, 0, 0, km * 1.5, 0.95);
+  if (!eye.project(0, 0, 0) || !eye.on_screen(20)) return;
+  const i = view.selected;
+  const place = { east: players.x[i]! * 1000, north: -players.z[i]! * 1000, up: 0 };
+  const { range, bearing } = measure(run.origin, { east: 0, north: 0, up: 0 }, place);
+  const rest = players.shown[i] ? `${run.players[i]!.name} ${heading_text(bearing)} ${range_words(range / 1000)}` : '';
+  notes.tag(-50, eye.px, eye.py, 'bullseye', rest, palette.ruler, null, 92);
 }

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-/** What belongs to the picture and not to a place in it: figures along the grid, the scale, and north. */
-import { spoken } from '../words/text.ts';
-import { far_km, type Frame, near_km } from './frame.ts';
+/** What belongs to the picture and not to a place in it: figures along the grid, the scale, and north; and all of it in words, for those
+ * who do not see it. */
+import { clock_text, heading_text, spoken } from '../words/text.ts';
+import { type Frame, far_km, height_words, near_km } from './frame.ts';
 import { type Grid, grid_of, round_down, round_up } from './grid.ts';
 import { fill, stroke } from './palette.ts';
+import type { Run } from '../run/run.ts';
+import type { View } from '../store.ts';
+import { convergence } from './geo.ts';
+import type { Poses } from './motion.ts';
 
 const kMargin = 14;
 /** Lines that are looked at along an edge. */
@@ -117,4 +122,29 @@ export function draw_hud(frame: Frame): void {
   draw_edge(frame, left, low, eye.width - 24 * eye.ui, low, grid);
   draw_edge(frame, left, low - 26 * eye.ui, left, 48 * eye.ui, grid);
   draw_north(frame);
+}
+
+const kCamera: Record<View['camera'], string> = {
+  free: 'seen from a free camera', follow: 'seen from behind the selected player', top: 'seen from above', whole: 'seen as a whole',
+};
+
+/** rad: of a player who is there now. */
+export function true_heading(run: Run, players: Poses, i: number): number {
+  return players.heading[i]! + convergence(run.origin, { east: players.x[i]! * 1000, north: -players.z[i]! * 1000 });
+}
+
+export function told(run: Run, view: View, players: Poses, missiles: Poses): string {
+  const alive = { blue: 0, red: 0, none: 0 };
+  for (const player of run.players) alive[player.side] += players.shown[player.index]!;
+  const flying = missiles.shown.reduce((sum, shown) => sum + shown, 0);
+  const sides = (['blue', 'red', 'none'] as const).filter((side) => run.players.some((p) => p.side === side))
+    .map((side) => `${alive[side]} ${side === 'none' ? 'neutral' : side}`);
+  const words = [`Air picture at ${clock_text(view.time)}, ${kCamera[view.camera]}: ${sides.join(', ')}, ${flying} missiles in flight.`];
+  const chosen = run.players[view.selected];
+  if (chosen) {
+    const i = chosen.index;
+    const there = `${chosen.name}, ${chosen.type}, heading ${heading_text(true_heading(run, players, i))} at ${height_words(players.y[i]!)}.`;
+    words.push(players.shown[i] ? `Selected: ${there}` : `Selected: ${chosen.name}, not in the air picture.`);
+  }
+  return words.join(' ');
 }

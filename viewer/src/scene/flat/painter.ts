@@ -5,10 +5,8 @@ import type { Frame } from '../frame.ts';
 import type { Painter } from '../painter.ts';
 import type { Volume } from '../radar.ts';
 import { FlatFleet } from './fleet.ts';
-import { FlatGround } from './ground.ts';
-import { FlatLines } from './lines.ts';
-import { draw_volume } from './areas.ts';
-import { FlatPuffs } from './puffs.ts';
+import { FlatGround, draw_volume } from './ground.ts';
+import { FlatLines, FlatPuffs } from './lines.ts';
 
 export class FlatPainter implements Painter {
   readonly flat = true;

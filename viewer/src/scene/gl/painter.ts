@@ -1,17 +1,56 @@
 // SPDX-License-Identifier: MIT
 /** Draws with a graphics card. */
-import { DirectionalLight, Group, HemisphereLight, Scene, Vector2, WebGLRenderer } from 'three';
+import {
+  BackSide, BufferAttribute, BufferGeometry, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial, Scene, Vector2,
+  WebGLRenderer,
+} from 'three';
 import type { Run } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import type { Frame } from '../frame.ts';
 import type { Painter } from '../painter.ts';
-import { kDiffuse, kGround, kSky, kSun, kSunlight } from '../palette.ts';
-import type { Volume } from '../radar.ts';
+import { type Palette, kDiffuse, kGround, kSky, kSun, kSunlight } from '../palette.ts';
+import { type Volume, corner_of as at, kColumns, kRows, kTrackVeil } from '../radar.ts';
 import { Fleet } from './fleet.ts';
 import { Ground } from './ground.ts';
 import { Lines, type Screen } from './lines.ts';
 import { Puffs } from './puffs.ts';
-import { RadarVolume } from './radar.ts';
+
+/** The radar's volume as triangles. */
+class RadarVolume {
+  readonly mesh: Mesh<BufferGeometry, MeshBasicMaterial>;
+  private readonly corners: BufferAttribute;
+
+  constructor(order: number) {
+    const count = at(kColumns, kRows) + 1;
+    const geometry = new BufferGeometry();
+    // only the far side is drawn, so that each line of sight through the volume meets it once
+    this.corners = new BufferAttribute(new Float32Array(3 * count), 3);
+    geometry.setAttribute('position', this.corners);
+    const index: number[] = [];
+    for (let c = 0; c < kColumns; ++c) index.push(0, at(c, 0), at(c + 1, 0), 0, at(c + 1, kRows), at(c, kRows));
+    for (let r = 0; r < kRows; ++r) index.push(0, at(0, r + 1), at(0, r), 0, at(kColumns, r), at(kColumns, r + 1));
+    for (let c = 0; c < kColumns; ++c)
+      for (let r = 0; r < kRows; ++r)
+        index.push(at(c, r), at(c, r + 1), at(c + 1, r + 1), at(c, r), at(c + 1, r + 1), at(c + 1, r));
+    geometry.setIndex(index);
+    // strongest at the antenna
+    const colors = new Float32Array(4 * count).map((_, i) => (i < 4 || i % 4 < 3 ? 1 : 0.3));
+    geometry.setAttribute('color', new BufferAttribute(colors, 4));
+    const material = new MeshBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false, side: BackSide });
+    this.mesh = new Mesh(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = order;
+  }
+
+  update(volume: Volume | null, palette: Palette): void {
+    this.mesh.visible = volume !== null;
+    if (!volume) return;
+    (this.corners.array as Float32Array).set(volume.corners);
+    this.corners.needsUpdate = true;
+    this.mesh.material.color.setHex(palette.radar);
+    this.mesh.material.opacity = palette.veil * (volume.track ? kTrackVeil : 1);
+  }
+}
 
 export class GlPainter implements Painter {
   readonly flat = false;
