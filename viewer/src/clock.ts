@@ -8,49 +8,40 @@ const kPace = 100;
 /** ms; a page that was in the background goes on from where it was. */
 const kLongestFrame = 250;
 
-/** Pictures that follow each other: calls `draw` for each with the s that have passed, as long as it says that there is more. */
-export class Frames {
-  private handle = 0;
-  private last = 0;
-
-  constructor(private readonly draw: (passed: number) => boolean) {}
-
-  start(): void {
-    if (this.handle) return;
-    this.last = performance.now();
-    this.next();
-  }
-  /** For good. */
-  stop(): void {
-    cancelAnimationFrame(this.handle);
-    this.handle = -1;
-  }
-  private next(): void {
-    this.handle = requestAnimationFrame((now) => {
-      // a frame may have begun before the clock was started
-      const passed = Math.max(0, Math.min(now - this.last, kLongestFrame)) / 1000;
-      this.handle = 0;
-      this.last = now;
-      if (this.draw(passed) && !this.handle) this.next();
-    });
-  }
+/** To the end of the timeline. */
+function play_on(store: Store, passed: number): void {
+  const { time, rate, end } = store.get();
+  const next = Math.min(end, time + passed * rate);
+  store.set(next >= end ? { time: next, playing: false } : { time: next });
 }
 
-/** Plays to the end of the timeline. Returns how to stop it for good. */
-export function run_clock(store: Store): () => void {
-  const frames = new Frames((passed) => {
-    const { playing, time, rate, end } = store.get();
-    const next = Math.min(end, time + passed * rate);
-    if (playing) store.set(next >= end ? { time: next, playing: false } : { time: next });
-    return store.get().playing;
+/** While a store plays, moves its time with every picture by the s that have passed. Returns how to stop it for good. */
+export function run_clock(store: Store, move = (passed: number): void => play_on(store, passed)): () => void {
+  let handle = 0;
+  let last = 0;
+  const next = (): void => {
+    handle = requestAnimationFrame((now) => {
+      // a frame may have begun before the clock was started
+      const passed = Math.max(0, Math.min(now - last, kLongestFrame)) / 1000;
+      handle = 0;
+      last = now;
+      if (store.get().playing) move(passed);
+      if (store.get().playing && !handle) next();
+    });
+  };
+  const start = (): void => {
+    if (handle) return;
+    last = performance.now();
+    next();
+  };
+  const unsubscribe = store.subscribe((now, before) => {
+    if (now.playing && !before.playing) start();
   });
-  const stop = store.subscribe((now, before) => {
-    if (now.playing && !before.playing) frames.start();
-  });
-  if (store.get().playing) frames.start();
+  if (store.get().playing) start();
   return () => {
-    stop();
-    frames.stop();
+    unsubscribe();
+    cancelAnimationFrame(handle);
+    handle = -1;
   };
 }
 
@@ -59,32 +50,30 @@ function only_time(now: View, before: View): boolean {
   return (Object.keys(now) as (keyof View)[]).every((key) => key === 'time' || now[key] === before[key]);
 }
 
-/** One for all panels of a store, so that they redraw in one go. */
-class Pacer {
-  readonly listeners = new Set<() => void>();
-  private timer: ReturnType<typeof setTimeout> | undefined;
-  private told = -Infinity;
-
-  constructor(store: Store) {
-    store.subscribe((now, before) => {
-      const wait = now.playing && only_time(now, before) ? this.told + kPace - performance.now() : 0;
-      if (wait <= 0) this.tell();
-      else this.timer ??= setTimeout(() => this.tell(), wait);
-    });
-  }
-  private tell(): void {
-    clearTimeout(this.timer);
-    this.timer = undefined;
-    this.told = performance.now();
-    for (const listener of this.listeners) listener();
-  }
+/** Those whom a store tells at a pace: all its panels, so that they redraw in one go. */
+function paced(store: Store): Set<() => void> {
+  const listeners = new Set<() => void>();
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let told = -Infinity;
+  const tell = (): void => {
+    clearTimeout(timer);
+    timer = undefined;
+    told = performance.now();
+    for (const listener of listeners) listener();
+  };
+  store.subscribe((now, before) => {
+    const wait = now.playing && only_time(now, before) ? told + kPace - performance.now() : 0;
+    if (wait <= 0) tell();
+    else timer ??= setTimeout(tell, wait);
+  });
+  return listeners;
 }
 
-const kPacers = new WeakMap<Store, Pacer>();
+const kPaced = new WeakMap<Store, Set<() => void>>();
 
 /** Like Store.subscribe, but while the run plays at most ten times a second. */
 export function subscribe_paced(store: Store, listener: () => void): () => void {
-  const pacer = made(kPacers, store, () => new Pacer(store));
-  pacer.listeners.add(listener);
-  return () => pacer.listeners.delete(listener);
+  const listeners = made(kPaced, store, () => paced(store));
+  listeners.add(listener);
+  return () => listeners.delete(listener);
 }

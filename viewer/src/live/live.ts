@@ -7,7 +7,7 @@ import type { Page } from '../ui/page.ts';
 import { Hands } from './hands.ts';
 import type { Do, Line, News, Pacing } from './line.ts';
 import type { Reached } from './lockstep.ts';
-import { Frames } from '../clock.ts';
+import { run_clock } from '../clock.ts';
 
 /** s of the clock behind what is flown: what comes in leaps is smooth then. */
 const kBehind = 0.05;
@@ -29,7 +29,7 @@ export class Present {
   private rate = 1;  // Of the mission; Infinity: as fast as it goes.
   private paused = true;
   private moving = false;  // It is this that sets the time.
-  private readonly frames = new Frames((passed) => this.frame(passed));
+  readonly stop: () => void;
 
   constructor(private readonly store: Store) {
     store.subscribe((now, before) => {
@@ -41,6 +41,7 @@ export class Present {
         store.set({ playing: false });
       }
     });
+    this.stop = run_clock(store, (passed) => this.move(passed));
   }
 
   /** How far it is, and how it goes on. */
@@ -52,23 +53,17 @@ export class Present {
       if (paused) this.show(flown);
       if (this.store.get().playing === paused) this.store.set({ playing: !paused });
     }
-    this.run();
   }
   /** To the present, and on with it. */
   now(): void {
     this.following.set(true);
     this.show(this.flown);
     this.store.set({ playing: !this.paused });
-    this.run();
   }
   /** Plays what is past, or stops there. */
   toggle_past(): void {
     const { playing } = this.store.get();
     this.store.set({ playing: !playing });
-    this.run();
-  }
-  stop(): void {
-    this.frames.stop();
   }
 
   private show(time: number): void {
@@ -76,16 +71,11 @@ export class Present {
     this.store.set({ time });
     this.moving = false;
   }
-  private run(): void {
-    if (this.store.get().playing) this.frames.start();
-  }
-  private frame(passed: number): boolean {
-    const { time, playing, rate } = this.store.get();
-    if (!playing) return false;
+  private move(passed: number): void {
+    const { time, rate } = this.store.get();
     if (this.following.get()) this.show(next_shown(time, this.flown, this.rate, passed));
     else if (time + passed * rate >= this.flown) this.now();
     else this.show(time + passed * rate);
-    return true;
   }
 }
 
