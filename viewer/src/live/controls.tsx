@@ -36,7 +36,7 @@ export function Pace({ live }: { live: Live }) {
 export function LiveControls({ live }: { live: Live }) {
   const { store } = use_page();
   const status = use_cell(live.status);
-  const following = use_cell(live.present!.following);
+  const following = use_cell(live.following);
   const behind = use_paced(store, ({ time }) => (following ? 0 : Math.round(live.flown - time)));
   const over = live.is_over();
   const waits = !status.shared && !over;
@@ -54,7 +54,7 @@ export function LiveControls({ live }: { live: Live }) {
           .map((rate) => <option key={rate} value={String(rate)}>{rate === Infinity ? 'max' : `${rate}×`}</option>)}
       </select>
       <button type="button" class={`tool words to-now ${following ? 'on' : ''}`} aria-pressed={following} title="To the present, and on with it (end)"
-        onClick={() => live.present!.now()}>
+        onClick={() => live.to_present()}>
         <i class="dot" />{over ? outcome_text(status.outcome) : following ? 'now' : behind > 0 ? `now, ${clock_text(behind).replace(/\.0$/, '')} on` : 'now'}
       </button>
       {over && live.home && <a class="tool words" href="/home" title="Choose what is flown next, or look at earlier runs">home page</a>}

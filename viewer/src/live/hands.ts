@@ -131,14 +131,14 @@ export class Hands {
 
   /** Takes over who is chosen, as he flies now. */
   take(): void {
-    const { page, present } = this.live;
+    const { page } = this.live;
     if (!page || this.wanted.get()) return;
     const { run, store } = page;
     const index = store.get().selected;
     const player = run.players[index]!;
     const { motion, gauges, end, kind } = player;
     if (end || kind !== 'aircraft' || !motion.t.length) return;
-    present?.now();
+    this.live.to_present();
     this.taken = performance.now();
     store.set({ camera: 'follow' });
     this.said = '';

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** A mission that is being flown, as its page knows it: what the program says of it, what the engine here makes of that, and what is asked
- * of the program. */
+ * of the program; and the time that the page shows of it, smooth and hardly behind what was flown. Who looks back is left alone until he
+ * comes to the present again. */
 import type { AirPicture } from '../scene/scene.ts';
 import { Cell, type Store } from '../store.ts';
 import type { Page } from '../ui/page.ts';
@@ -20,63 +21,6 @@ export function next_shown(shown: number, flown: number, rate: number, passed: n
   const off = flown - kBehind * rate - shown;
   if (Math.abs(off) > kLeap * rate) return flown;
   return Math.max(shown, Math.min(flown, shown + passed * rate + off * Math.min(1, 4 * passed)));
-}
-
-/** The time that the page shows: smooth, and hardly behind what was flown. Who looks back is left alone until he comes to the present again. */
-export class Present {
-  readonly following = new Cell(true);  // The page shows the present.
-  private flown = 0;
-  private rate = 1;  // Of the mission; Infinity: as fast as it goes.
-  private paused = true;
-  private moving = false;  // It is this that sets the time.
-  readonly stop: () => void;
-
-  constructor(private readonly store: Store) {
-    store.subscribe((now, before) => {
-      if (this.moving || now.time === before.time) return;
-      // nobody sees what was not flown yet
-      if (now.time >= this.flown) this.now();
-      else if (this.following.get()) {
-        this.following.set(false);
-        store.set({ playing: false });
-      }
-    });
-    this.stop = run_clock(store, (passed) => this.move(passed));
-  }
-
-  /** How far it is, and how it goes on. */
-  told(flown: number, rate: number, paused: boolean): void {
-    this.flown = flown;
-    this.rate = rate;
-    this.paused = paused;
-    if (this.following.get()) {
-      if (paused) this.show(flown);
-      if (this.store.get().playing === paused) this.store.set({ playing: !paused });
-    }
-  }
-  /** To the present, and on with it. */
-  now(): void {
-    this.following.set(true);
-    this.show(this.flown);
-    this.store.set({ playing: !this.paused });
-  }
-  /** Plays what is past, or stops there. */
-  toggle_past(): void {
-    const { playing } = this.store.get();
-    this.store.set({ playing: !playing });
-  }
-
-  private show(time: number): void {
-    this.moving = true;
-    this.store.set({ time });
-    this.moving = false;
-  }
-  private move(passed: number): void {
-    const { time, rate } = this.store.get();
-    if (this.following.get()) this.show(next_shown(time, this.flown, this.rate, passed));
-    else if (time + passed * rate >= this.flown) this.now();
-    else this.show(time + passed * rate);
-  }
 }
 
 export interface Status {
@@ -100,11 +44,12 @@ export class Live {
   readonly checked = new Cell(-1);  // The last step whose hash was compared.
   readonly said = new Cell('');  // What the program refused, for some seconds.
   readonly pointing = new Cell(false);  // A click in the air picture is the point to fly to.
-  present: Present | null = null;
+  readonly following = new Cell(true);  // The page shows the present.
   page: Page | null = null;
   scene: AirPicture | null = null;
   readonly hands: Hands;
   flown = 0;  // s: up to which it is drawn.
+  private moving = false;  // It is this that sets the time of the page.
   private forget: ReturnType<typeof setTimeout> | undefined;
 
   /** `home`: the mission was chosen on the home page. */
@@ -115,15 +60,21 @@ export class Live {
   /** It is on the screen; returns how to leave it. */
   show(page: Page): () => void {
     this.page = page;
-    const looks_back = this.present?.following.get() === false;
-    const present = (this.present = new Present(page.store));
-    present.following.set(!looks_back);
-    this.grow_axis(page.store);
+    const { store } = page;
+    const stops = [
+      store.subscribe((now, before) => {
+        if (this.moving || now.time === before.time) return;
+        // nobody sees what was not flown yet
+        if (now.time >= this.flown) this.to_present();
+        else if (this.following.get()) {
+          this.following.set(false);
+          store.set({ playing: false });
+        }
+      }), run_clock(store, (passed) => this.move(store, passed)), () => this.hands.drop(),
+    ];
+    this.grow_axis(store);
     this.tell();
-    return () => {
-      present.stop();
-      this.hands.drop();
-    };
+    return () => stops.forEach((stop) => stop());
   }
 
   news({ rate, paused, viewers, outcome, shared = false }: News): void {
@@ -163,9 +114,8 @@ export class Live {
   }
   /** The mission, at the present; else what is past. */
   toggle(): void {
-    const { present } = this;
-    if (!present) return;
-    if (!present.following.get()) return present.toggle_past();
+    const { store } = this.page!;
+    if (!this.following.get()) return store.set({ playing: !store.get().playing });
     this.ask({ do: this.status.get().paused ? 'play' : 'pause' });
   }
   change_rate(direction: 1 | -1): void {
@@ -177,9 +127,36 @@ export class Live {
     this.ask({ do: 'rate', rate: rate === Infinity ? 'max' : rate });
   }
 
+  /** To the present, and on with it. */
+  to_present(): void {
+    const { store } = this.page!;
+    this.following.set(true);
+    this.put(store, this.flown);
+    store.set({ playing: this.goes_on() });
+  }
+
+  private goes_on(): boolean {
+    const { paused, broken } = this.status.get();
+    return !paused && broken === '' && !this.is_over();
+  }
+  private put(store: Store, time: number): void {
+    this.moving = true;
+    store.set({ time });
+    this.moving = false;
+  }
+  private move(store: Store, passed: number): void {
+    const { time, rate } = store.get();
+    if (this.following.get()) this.put(store, next_shown(time, this.flown, this.status.get().rate, passed));
+    else if (time + passed * rate >= this.flown) this.to_present();
+    else this.put(store, time + passed * rate);
+  }
+  /** How far it is, and whether it goes on. */
   private tell(): void {
-    const { rate, paused, broken } = this.status.get();
-    this.present?.told(this.flown, rate, paused || broken !== '' || this.is_over());
+    if (!this.page || !this.following.get()) return;
+    const { store } = this.page;
+    const playing = this.goes_on();
+    if (!playing) this.put(store, this.flown);
+    if (store.get().playing !== playing) store.set({ playing });
   }
   /** The timeline grows in leaps, so that it need not be drawn anew all the time. */
   private grow_axis(store: Store): void {
