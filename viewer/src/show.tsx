@@ -19,7 +19,7 @@ import type { Back } from './ui/header.tsx';
 import { follow_address, read_link, remembered } from './ui/link.ts';
 import { first_moment } from './ui/story.tsx';
 import { speak } from './words/text.ts';
-import { grown, make_page, type Page } from './ui/page.ts';
+import { grown, Page } from './ui/page.ts';
 
 declare global {
   interface Window {
@@ -82,7 +82,7 @@ function pages_of(runs: Run[], view: Partial<View>): Page[] {
   const end = Math.max(...runs.map((run) => run.about.duration));
   return twinned(runs.map((run, i) => {
     const store = new Store({ ...first_view(0), ...remembered(), ...read_link(run, location.hash, end), ...view, end });
-    return make_page(run, store, runs.length > 1 ? 'AB'[i]! : '');
+    return new Page(run, store, runs.length > 1 ? 'AB'[i]! : '');
   }));
 }
 
@@ -162,7 +162,7 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
   draw();
   return {
     update(whole) {
-      pages = twinned(pages.map(({ store, letter }, i) => make_page(whole[i]!, store, letter)));
+      pages = twinned(pages.map(({ store, letter }, i) => new Page(whole[i]!, store, letter)));
       begin(pages[0]!, view);
       key = 'whole';
       draw();

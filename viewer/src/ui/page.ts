@@ -24,21 +24,23 @@ export interface Hover {
   part: number;  // Of the height of the row, from above.
 }
 
-export interface Page {
-  run: Run;
-  store: Store;
-  letter: string;  // "" for the only run, otherwise "A" or "B".
-  twin: Page | null;  // The other one of two runs.
-  live: Live | null;  // It is being flown.
-  other: Cell<Other | null>;  // The run flown on otherwise from a moment on, beside the one that was flown.
+export class Page {
+  twin: Page | null = null;  // The other one of two runs.
+  live: Live | null = null;  // It is being flown.
+  other = new Cell<Other | null>(null);  // The run flown on otherwise from a moment on, beside the one that was flown.
   marks: Mark[];  // In order of time.
-  changes: Cell<Change[]>;  // What is asked of the trees instead of what was flown.
-  future: Cell<FlownOn | null>;  // What was flown on with the changes.
-  node: Cell<number>;  // The node of the tree that is looked into; -1: none.
-  pointed: Cell<number>;  // The node of the tree that something else on the page speaks of now; -1: none.
-  hover: Cell<Hover | null>;  // What of the strips is under the pointer.
-  tips: Map<string, (t: number) => string>;  // By row, what to say of a time in it.
-  strips: Cell<StripChoice>;
+  changes = new Cell<Change[]>([]);  // What is asked of the trees instead of what was flown.
+  future = new Cell<FlownOn | null>(null);  // What was flown on with the changes.
+  node = new Cell(-1);  // The node of the tree that is looked into; -1: none.
+  pointed = new Cell(-1);  // The node of the tree that something else on the page speaks of now; -1: none.
+  hover = new Cell<Hover | null>(null);  // What of the strips is under the pointer.
+  tips = new Map<string, (t: number) => string>();  // By row, what to say of a time in it.
+  strips = new Cell<StripChoice>({ quantities: globalThis.matchMedia?.(kNarrow).matches ? [] : ['altitude', 'range'], players: [] });
+
+  /** `letter` is "" for the only run, otherwise "A" or "B". */
+  constructor(public run: Run, public store: Store, public letter: string) {
+    this.marks = marks_of(run);
+  }
 }
 
 /** The player of the same name in another run; -1: there is none. */
@@ -58,20 +60,6 @@ export function view_in(to: Run, from: Run, view: View): Partial<View> {
     ruler: one !== undefined && two !== undefined && one >= 0 && two >= 0 ? [one, two] : null,
     ghost: ghost && named(ghost.player) >= 0 ? { ...ghost, player: named(ghost.player) } : null,
     zoom: is_same ? zoom : null,  // else it is another mission
-  };
-}
-
-export function make_page(run: Run, store: Store, letter: string): Page {
-  return {
-    run, store, letter, twin: null, live: null, marks: marks_of(run),
-    other: new Cell<Other | null>(null),
-    changes: new Cell<Change[]>([]),
-    future: new Cell<FlownOn | null>(null),
-    node: new Cell(-1),
-    pointed: new Cell(-1),
-    hover: new Cell<Hover | null>(null),
-    tips: new Map(),
-    strips: new Cell<StripChoice>({ quantities: globalThis.matchMedia?.(kNarrow).matches ? [] : ['altitude', 'range'], players: [] }),
   };
 }
 
