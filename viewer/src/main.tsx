@@ -5,7 +5,7 @@ import { unpacked } from './packed.ts';
 import { decode } from './run/decode.ts';
 import { open_live } from './live/open.tsx';
 import { type Opening, flown_again, put_theme, say_failure, seen, show_as_flown } from './show.tsx';
-import { first_view } from './store.ts';
+import { View } from './store.ts';
 import { remembered, said_in } from './ui/link.ts';
 import { listen } from './events.ts';
 import type { Run } from './run/run.ts';
@@ -67,7 +67,7 @@ async function open_replicate(part: Element, host: HTMLElement, told: (percent: 
 const kMostRuns = 2;
 
 async function open(host: HTMLElement): Promise<void> {
-  put_theme({ ...first_view(0), ...remembered() }.theme);
+  put_theme({ ...new View(), ...remembered() }.theme);
   const [campaign] = parts('campaign');
   const told = (percent: number): void => {
     const words = host.querySelector('#opening');

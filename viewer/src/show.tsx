@@ -11,7 +11,7 @@ import { decode } from './run/decode.ts';
 import type { Run } from './run/run.ts';
 import { coast_of } from './scene/coast.ts';
 import type { AirPicture } from './scene/scene.ts';
-import { first_view, Store, type View } from './store.ts';
+import { View, Store } from './store.ts';
 import { keep_in_sight, show_cause } from './ui/actions.ts';
 import { App } from './ui/app.tsx';
 import { link_pages } from './ui/compare.tsx';
@@ -81,7 +81,7 @@ export function put_theme(theme: View['theme']): void {
 function pages_of(runs: Run[], view: Partial<View>): Page[] {
   const end = Math.max(...runs.map((run) => run.about.duration));
   return twinned(runs.map((run, i) => {
-    const store = new Store({ ...first_view(0), ...remembered(), ...read_link(run, location.hash, end), ...view, end });
+    const store = new Store({ ...new View(), ...remembered(), ...read_link(run, location.hash, end), ...view, end });
     return new Page(run, store, runs.length > 1 ? 'AB'[i]! : '');
   }));
 }

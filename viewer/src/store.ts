@@ -19,21 +19,21 @@ export interface Ghost {
  * there, and rad from north and from straight down. */
 export type Pose = readonly [x: number, y: number, z: number, height: number, azimuth: number, polar: number];
 
-export interface View {
-  time: number;  // s
-  playing: boolean;
-  end: number;  // s: how far the timeline goes; of the longer one of two runs, or of the other future.
-  rate: number;  // Times real time.
-  selected: number;  // Index into Run.players.
-  camera: Camera;
-  pose: Pose | null;  // Of the cameras free and top, told when they rest; null: nobody has moved them.
-  ruler: [number, number] | null;  // Players (indices) between which range and bearing are shown.
-  ghost: Ghost | null;
-  layers: Record<Layer, boolean>;
-  zoom: [number, number] | null;  // Of a strip: s; null: the whole run.
-  theme: 'light' | 'dark';
-  units: Units;
-  trail: number;  // s: how much of the ways behind everybody is drawn; Infinity: all.
+export class View {
+  time = 0;  // s
+  playing = false;
+  end = 0;  // s: how far the timeline goes; of the longer one of two runs, or of the other future.
+  rate = 8;  // Times real time.
+  selected = 0;  // Index into Run.players.
+  camera: Camera = 'whole';
+  pose: Pose | null = null;  // Of the cameras free and top, told when they rest; null: nobody has moved them.
+  ruler: [number, number] | null = null;  // Players (indices) between which range and bearing are shown.
+  ghost: Ghost | null = null;
+  layers = layers_of(kFirstLayers);
+  zoom: [number, number] | null = null;  // Of a strip: s; null: the whole run.
+  theme = systems_theme();
+  units: Units = kUnits[0];
+  trail = 60;  // s: how much of the ways behind everybody is drawn; Infinity: all.
 }
 
 export const kUnits = ['aviation', 'metric'] as const;
@@ -74,28 +74,9 @@ export class Store extends Cell<View> {
   }
 }
 
-export function first_view(selected: number): View {
-  return {
-    time: 0,
-    playing: false,
-    end: 0,
-    rate: 8,
-    selected,
-    camera: 'whole',
-    pose: null,
-    ruler: null,
-    ghost: null,
-    layers: layers_of(kFirstLayers),
-    zoom: null,
-    theme: systems_theme(),
-    units: 'aviation',
-    trail: 60,
-  };
-}
-
-export function systems_theme(): View['theme'] {
+export function systems_theme(): 'light' | 'dark' {
   return globalThis.matchMedia?.('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
 }
-export function layers_of(shown: readonly string[]): View['layers'] {
-  return Object.fromEntries(kLayers.map((layer) => [layer, shown.includes(layer)])) as View['layers'];
+export function layers_of(shown: readonly string[]): Record<Layer, boolean> {
+  return Object.fromEntries(kLayers.map((layer) => [layer, shown.includes(layer)])) as Record<Layer, boolean>;
 }

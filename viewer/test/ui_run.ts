@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** A small run with a story for the tests of the panels, and a page that shows it. */
 import type { Player, Run, StoryLine } from '../src/run/run.ts';
-import { first_view, Store, type View } from '../src/store.ts';
+import { View, Store } from '../src/store.ts';
 import { Page } from '../src/ui/page.ts';
 import { leaf, node, run_of, type Said } from './words_run.ts';
 
@@ -32,5 +32,5 @@ export function told_run(decisions: Record<string, Said>[], story: StoryLine[] =
 }
 
 export function page_of(run: Run, view: Partial<View> = {}): Page {
-  return new Page(run, new Store({ ...first_view(0), end: run.about.duration, ...view }), '');
+  return new Page(run, new Store({ ...new View(), end: run.about.duration, ...view }), '');
 }

@@ -10,7 +10,7 @@ import { link_pages } from '../src/ui/compare.tsx';
 import { ticks_of } from '../src/ui/timeline.tsx';
 import { clock_text, tick_text } from '../src/words/text.ts';
 import type { Player } from '../src/run/run.ts';
-import { first_view } from '../src/store.ts';
+import { View } from '../src/store.ts';
 import { view_in } from '../src/ui/page.ts';
 import { kBreaks, kPursues, kStory, page_of, told_run } from './ui_run.ts';
 
@@ -183,7 +183,7 @@ test('two runs show the same time, and players of the same name', () => {
 
 test('another mission shows the same players by their names, and nothing of who is not there', () => {
   const [eagle, bogey] = kRun.players as [Player, Player];
-  const view = { ...first_view(1), ruler: [1, 0] as [number, number], zoom: [1, 9] as [number, number], theme: 'dark' as const };
+  const view = { ...new View(), selected: 1, ruler: [1, 0] as [number, number], zoom: [1, 9] as [number, number], theme: 'dark' as const };
   const ghost = { player: 1, t: 3, heading: 1, altitude: null, speed: null, label: 'pursue' };
   assert.deepEqual(view_in(kRun, kRun, { ...view, ghost }), { ...view, ghost });
   const turned = { ...kRun, players: [{ ...bogey, index: 0 }, { ...eagle, index: 1 }] };

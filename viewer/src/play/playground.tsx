@@ -6,7 +6,7 @@ import type { Problem } from '../engine/questions.ts';
 import { listen } from '../events.ts';
 import { engine_module, painted, parts, started } from '../parts.ts';
 import { type Opening, type Shown, flown_again, put_theme, say_failure, show_as_flown } from '../show.tsx';
-import { type View, first_view } from '../store.ts';
+import { View } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
 import { mind_manners } from '../ui/keys.tsx';
@@ -325,7 +325,7 @@ function Playground({ files, schema, module, host, view }: Texts & { module: Web
 }
 
 async function open(host: HTMLElement): Promise<void> {
-  const view = { ...first_view(0), ...remembered() };
+  const view = { ...new View(), ...remembered() };
   put_theme(view.theme);
   const [texts] = parts('texts');
   if (!texts) throw new Error('there are no texts in this page; ./eyrie playground writes one with them');

@@ -3,7 +3,7 @@
  * and trails (d=, l=, u=, w=) what is not as usual, which is also remembered. What a playground or a report says stays in it. */
 import { listen } from '../events.ts';
 import type { Run } from '../run/run.ts';
-import { first_view, kCameras, kFirstLayers, kLayers, kTrails, kUnits, layers_of, systems_theme, type Pose, type View } from '../store.ts';
+import { View, kCameras, kFirstLayers, kLayers, kTrails, kUnits, layers_of, systems_theme, type Pose } from '../store.ts';
 import type { Page } from './page.ts';
 
 const kTaste = ['theme', 'layers', 'units', 'trail'] as const;
@@ -70,7 +70,7 @@ function remember(taste: Taste): void {
 
 /** Of a page that shows no run. */
 export function remember_theme(theme: View['theme']): void {
-  remember({ ...first_view(0), ...remembered(), theme });
+  remember({ ...new View(), ...remembered(), theme });
 }
 
 export function link_text(run: Run, view: Told, fragment = ''): string {
