@@ -114,16 +114,10 @@ function ready(pages: Page[], scene: AirPicture): void {
   document.body.dataset['ready'] = 'true';
 }
 
-export interface Shown {
-  /** The same runs, whole. */
-  update(runs: Run[]): void;
-  /** There is more of them, in the same objects. */
-  grow(): void;
-  close(): void;
-}
+export type Shown = ReturnType<typeof show>;
 
 /** Shows one run, or two to compare, first as `view` says; `back` is where the page came from. */
-export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, back?: Back, live?: Live): Shown {
+export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, back?: Back, live?: Live) {
   if (runs.some((run) => !run.players.length)) throw new Error('nobody took part in this run');
   let pages = pages_of(runs, view);
   const [first, second] = pages as [Page, Page | undefined];
@@ -161,14 +155,16 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
   if (!live) begin(first, view);
   draw();
   return {
-    update(whole) {
+    /** The same runs, whole. */
+    update(whole: Run[]): void {
       pages = twinned(pages.map(({ store, letter }, i) => new Page(whole[i]!, store, letter)));
       begin(pages[0]!, view);
       key = 'whole';
       draw();
     },
+    /** There is more of them, in the same objects. */
     grow: redraw,
-    close() {
+    close(): void {
       for (const stop of stops) stop();
       render(null, host);
       delete window.eyrie;

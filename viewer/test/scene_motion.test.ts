@@ -86,7 +86,7 @@ test('gauges are linear between samples', () => {
 
 test('nobody is seen before birth or after its end', () => {
   const motion = motion_of([5, 6, 7], (t) => ({ east: 1000 * t, north: 2000, up: 3000 }));
-  const lost = { born: 5, gone: 7, end: 'lost', motion };
+  const lost = { born: 5, gone: 7, end: 'lost' as const, motion };
   assert.equal(is_shown(lost, 4.9), false);
   assert.equal(is_shown(lost, 5), true);
   assert.equal(is_shown(lost, 7), false);
@@ -97,7 +97,7 @@ test('nobody is seen before birth or after its end', () => {
 
 test('poses are in kilometers with z south and keep the last place of the lost', () => {
   const motion = motion_of([5, 6, 7], (t) => ({ east: 1000 * t, north: 2000, up: 3000 }));
-  const poses = new Poses([{ born: 5, gone: 7, end: 'lost', motion }]);
+  const poses = new Poses([{ born: 5, gone: 7, end: 'lost' as const, motion }]);
   poses.update(6);
   assert.deepEqual([poses.shown[0], poses.noted[0], poses.x[0], poses.y[0], poses.z[0]], [1, 1, 6, 3, -2]);
   poses.update(8);

@@ -21,15 +21,6 @@ export interface EditorOptions {
   fly(): void;
 }
 
-export interface Editor {
-  /** Shows a file with its own history; a text that differs from what the editor has of it replaces that, which can be undone. */
-  show(file: string, text: string): void;
-  /** Marks the mistakes of the file that is shown. */
-  mark(problems: readonly Problem[]): void;
-  /** Puts the cursor there, from 1. */
-  go_to(line: number, column: number): void;
-}
-
 function completions({ grammar, names }: EditorOptions) {
   return (context: CompletionContext): CompletionResult | null => {
     const before = context.state.sliceDoc(0, context.pos);
@@ -123,7 +114,9 @@ const kTheme = EditorView.theme({
 /** Of a change that shows what the project has already. */
 const kShown = Annotation.define<true>();
 
-export function make_editor(host: HTMLElement, options: EditorOptions): Editor {
+export type Editor = ReturnType<typeof make_editor>;
+
+export function make_editor(host: HTMLElement, options: EditorOptions) {
   const root = host.attachShadow({ mode: 'open' });
   let shown = '';
   const extensions = [
@@ -144,7 +137,8 @@ export function make_editor(host: HTMLElement, options: EditorOptions): Editor {
   const view = new EditorView({ root, parent: root as unknown as Element });
   const states = new Map<string, EditorState>();
   return {
-    show(file, text) {
+    /** Shows a file with its own history; a text that differs from what the editor has of it replaces that, which can be undone. */
+    show(file: string, text: string): void {
       if (file !== shown) {
         if (shown) states.set(shown, view.state);
         shown = file;
@@ -154,11 +148,13 @@ export function make_editor(host: HTMLElement, options: EditorOptions): Editor {
       if (doc.toString() === text) return;
       view.dispatch({ changes: { from: 0, to: doc.length, insert: text }, annotations: [kShown.of(true), isolateHistory.of('full')] });
     },
-    mark(problems) {
+    /** Marks the mistakes of the file that is shown. */
+    mark(problems: readonly Problem[]): void {
       const { state } = view;
       view.dispatch(setDiagnostics(state, problems.filter(({ line }) => line > 0).map((one) => diagnostic(state.doc, one))));
     },
-    go_to(line, column) {
+    /** Puts the cursor there, from 1. */
+    go_to(line: number, column: number): void {
       const anchor = offset(view.state.doc, line, column);
       view.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
       view.focus();

@@ -45,14 +45,9 @@ function to_globe(origin: Origin, east: number, north: number): [latitude: numbe
   return [latitude, longitude];
 }
 
-export interface Measure {
-  range: number;  // m, as the crow flies.
-  bearing: number;  // rad from true north at `a`, in [0, 2 pi).
-  higher: number;  // m that `b` is higher.
-}
-
-/** From `a` to `b`. Off the origin the map's north is not true north; the bearing is the great circle's. */
-export function measure(origin: Origin, a: Place, b: Place): Measure {
+/** From `a` to `b`: m as the crow flies, rad from true north at `a`, in [0, 2 pi), and m that `b` is higher. Off the origin the map's
+ * north is not true north; the bearing is the great circle's. */
+export function measure(origin: Origin, a: Place, b: Place): { range: number; bearing: number; higher: number } {
   const [from, from_lon] = to_globe(origin, a.east, a.north);
   const [to, to_lon] = to_globe(origin, b.east, b.north);
   const [x, y, z] = seen_from(from, to, to_lon - from_lon);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Where something is between the samples of its motion, and where everybody is at one time. */
-import { last_at, type Motion, type Place } from '../run/run.ts';
+import { last_at, type Missile, type Motion, type Place, type Player } from '../run/run.ts';
 
 export interface Pose extends Place {
   heading: number;  // rad, as in Motion.
@@ -9,12 +9,7 @@ export interface Pose extends Place {
 }
 
 /** A thing with a life: a player or a missile. */
-export interface Mover {
-  born: number;
-  gone: number;
-  end: string;
-  motion: Motion;
-}
+export type Mover = Pick<Player | Missile, 'born' | 'gone' | 'end' | 'motion'>;
 
 export function new_pose(): Pose {
   return { east: 0, north: 0, up: 0, heading: 0, pitch: 0, roll: 0 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Values, numbers and times in words, as the terminal writes them: src/team/decision.hpp, and {:.Nf} and {:g} of fmt, which
  * round halves to even. */
-import { last_at, type Player, type Run } from '../run/run.ts';
+import { last_at, type Player, type Run, type StateField } from '../run/run.ts';
 
 // The units that people read: those of aviation, or metric ones. One choice for the whole page.
 
@@ -46,12 +46,7 @@ export function size_of_unit([, numerator, denominator = 1]: Unit): number {
 }
 
 /** What value_text needs of an ActionField or a StateField; only a field of the state has choices. */
-export interface FieldInfo {
-  name: string;
-  unit: string;
-  kind: string;
-  choices?: string[];
-}
+export type FieldInfo = Pick<StateField, 'name' | 'unit'> & Partial<Pick<StateField, 'choices'>> & { kind: string };
 
 function in_unit(si: number, [symbol, numerator, denominator = 1, decimals = 0, offset = 0]: Unit): string {
   const number = fixed(((si - offset) * denominator) / numerator, decimals);
