@@ -61,17 +61,14 @@ test('it agrees with the camera of the renderer', () => {
 });
 
 test('all fit into the picture', () => {
-  const points = {
-    noted: Uint8Array.of(1, 1, 1, 0), x: Float64Array.of(-120, 90, 14, 5000),
-    y: Float64Array.of(7, 11, 2, 0), z: Float64Array.of(4, -31, 77, 0),
-  };
+  const points = [{ x: -120, y: 7, z: 4 }, { x: 90, y: 11, z: -31 }, { x: 14, y: 2, z: 77 }];
   for (const where of [stance(), stance({ polar: 0, fov: kFlatFov }), stance({ azimuth: 2, polar: 1.2 })]) {
     assert.ok(fit(where, points, 16 / 9, 10));
     const eye = eye_at(where);
     let [least, most] = [Infinity, -Infinity];
-    for (let i = 0; i < 3; ++i)
-      for (const y of [points.y[i]!, 0]) {
-        assert.ok(eye.project(points.x[i]!, y, points.z[i]!));
+    for (const { x, y: up, z } of points)
+      for (const y of [up, 0]) {
+        assert.ok(eye.project(x, y, z));
         assert.ok(eye.on_screen(-50), `${eye.px} ${eye.py}`);
         least = Math.min(least, eye.px / 1600, eye.py / 900);
         most = Math.max(most, eye.px / 1600, eye.py / 900);
@@ -82,13 +79,12 @@ test('all fit into the picture', () => {
 
 test('a few who keep together are not looked at too closely', () => {
   const where = stance();
-  assert.ok(fit(where, { noted: Uint8Array.of(1), x: Float64Array.of(30), y: Float64Array.of(9), z: Float64Array.of(-40) }, 1.5, 16));
+  assert.ok(fit(where, [{ x: 30, y: 9, z: -40 }], 1.5, 16));
   assert.ok(where.height >= 16 - 1e-9);
   const eye = eye_at(where);
   eye.project(30, 9, -40);
   assert.ok(eye.on_screen(-200));
-  const nothing = new Float64Array(1);
-  assert.equal(fit(where, { noted: new Uint8Array(1), x: nothing, y: nothing, z: nothing }, 1.5, 16), false);
+  assert.equal(fit(where, [], 1.5, 16), false);
 });
 
 test('two are in the picture from the middle between them, whichever way one is from the other', () => {
@@ -162,13 +158,13 @@ test('fewer pixels while it is too slow and all of them at rest', () => {
 });
 
 test('the whole has in it what else there is to be seen', () => {
-  const at = (...x: number[]) => ({ noted: new Uint8Array(x.length).fill(1), x: Float64Array.from(x), y: Float64Array.from(x, () => 8), z: new Float64Array(x.length) });
+  const at = (...all: number[]) => all.map((x) => ({ x, y: 8, z: 0 }));
   const view = { time: 0, end: 100, camera: 'whole', selected: 0, pose: null } as unknown as View;
   const other = at(150);
-  for (const [also, seen] of [[[], false], [[other], true]] as const) {
+  for (const [also, seen] of [[[], false], [other, true]] as const) {
     const eye = eye_at(stance());
     const camera = new SceneCamera(true);
-    camera.aim(view, at(-10, 10) as unknown as Poses, eye, -1, [...also]);
+    camera.aim(view, { spots: () => at(-10, 10) } as unknown as Poses, eye, -1, [...also]);
     eye.look(camera.rig.stance());
     assert.equal(eye.project(150, 8, 0) && eye.on_screen(), seen);
     assert.ok(eye.project(-10, 8, 0) && eye.on_screen());

@@ -100,10 +100,12 @@ test('poses are in kilometers with z south and keep the last place of the lost',
   const poses = new Poses([{ born: 5, gone: 7, end: 'lost' as const, motion }]);
   poses.update(6);
   assert.deepEqual([poses.shown[0], poses.noted[0], poses.x[0], poses.y[0], poses.z[0]], [1, 1, 6, 3, -2]);
+  assert.deepEqual(poses.spots(), [{ x: 6, y: 3, z: -2 }]);
   poses.update(8);
   assert.deepEqual([poses.shown[0], poses.noted[0], poses.x[0]], [0, 1, 7]);
   poses.update(60);
   assert.deepEqual([poses.shown[0], poses.noted[0]], [0, 0]);
+  assert.deepEqual(poses.spots(), [], 'who is long gone does not count');
   poses.update(1);
   assert.deepEqual([poses.shown[0], poses.noted[0]], [0, 0]);
 });

@@ -8,7 +8,7 @@ import { heading_text, quantity_text } from '../words/text.ts';
 import { type Frame, climb_words, far_km, height_words, kCrowd, kSideMark, near_km, range_words, x_of, y_of, z_of } from './frame.ts';
 import { convergence, measure } from './geo.ts';
 import { type GhostPoint, ghost_path } from './ghost.ts';
-import { type Points, gauge_at, place_at } from './motion.ts';
+import { gauge_at, place_at, type Spot, spot_of } from './motion.ts';
 import { true_heading } from './hud.ts';
 import { round_up } from './grid.ts';
 
@@ -86,12 +86,9 @@ function path_of(run: Run, player: Player, ghost: Ghost): GhostPoint[] {
 }
 
 /** Where it leads, to be in the picture. */
-export function ghost_points({ run, view: { ghost } }: Frame): Points | null {
+export function ghost_points({ run, view: { ghost } }: Frame): Spot[] {
   const player = ghost && run.players[ghost.player];
-  if (!ghost || !player) return null;
-  const path = path_of(run, player, ghost);
-  const of = (axis: (point: GhostPoint) => number): Float64Array => Float64Array.from(path, axis);
-  return { noted: new Uint8Array(path.length).fill(1), x: of(x_of), y: of(y_of), z: of(z_of) };
+  return ghost && player ? path_of(run, player, ghost).map(spot_of) : [];
 }
 
 export function draw_ghost({ run, view, lines, palette, eye, notes }: Frame): void {

@@ -2,7 +2,7 @@
 /** The store's camera and the user's hand, turned into what the rig should do. */
 import type { Pose, View } from '../store.ts';
 import type { Eye } from './eye.ts';
-import type { Points, Poses } from './motion.ts';
+import type { Poses, Spot } from './motion.ts';
 import { fit, height_for_both, kFlatFov, kFov, kPace, Rig } from './rig.ts';
 
 /** rad from straight down, in 'whole' and when 'top' is left. */
@@ -16,11 +16,6 @@ const kTogether = 100;
 /** rad: a drag over the height of the picture. */
 const kSwing = 3;
 
-const join = (a: Points, b: Points): Points => ({
-  noted: Uint8Array.from([...a.noted, ...b.noted]),
-  x: Float64Array.from([...a.x, ...b.x]), y: Float64Array.from([...a.y, ...b.y]), z: Float64Array.from([...a.z, ...b.z]),
-});
-
 const still = (camera: View['camera']): boolean => camera === 'free' || camera === 'top';
 
 export class SceneCamera {
@@ -28,7 +23,7 @@ export class SceneCamera {
   private camera: View['camera'] | null = null;
   private followed = -1;
   private nearer = 1;  // Of what the chasing camera would show.
-  private ways: Points | null = null;  // All that was flown.
+  private ways: Spot[] | null = null;  // All that was flown.
   private beside = 0;  // Where the chasing camera looks, from the heading.
   private pose: Pose | null = null;  // As the view has it.
 
@@ -37,7 +32,7 @@ export class SceneCamera {
   }
 
   /** A camera was chosen. */
-  private change(camera: View['camera'], players: Poses, eye: Eye, also: Points[]): void {
+  private change(camera: View['camera'], players: Poses, eye: Eye, also: Spot[]): void {
     const { goal } = this.rig;
     const before = this.camera;
     this.camera = camera;
@@ -66,13 +61,11 @@ export class SceneCamera {
   }
 
   /** In the end all that was flown. */
-  private fit(players: Poses, eye: Eye, at_end: boolean, also: Points[]): void {
-    const points = [at_end ? (this.ways ??= players.ways()) : players, ...also].reduce(join);
-    const span = (of: Float64Array): number => {
-      const there = of.filter((_, i) => points.noted[i]);
-      return there.reduce((a, b) => Math.max(a, b), -Infinity) - there.reduce((a, b) => Math.min(a, b), Infinity);
-    };
-    const close = Math.max(span(points.x), span(points.z)) < kClose;
+  private fit(players: Poses, eye: Eye, at_end: boolean, also: Spot[]): void {
+    const points = [...(at_end ? (this.ways ??= players.ways()) : players.spots()), ...also];
+    const span = (axis: 'x' | 'z'): number =>
+      points.reduce((most, one) => Math.max(most, one[axis]), -Infinity) - points.reduce((least, one) => Math.min(least, one[axis]), Infinity);
+    const close = Math.max(span('x'), span('z')) < kClose;
     fit(this.rig.goal, points, eye.width / Math.max(1, eye.height), kLeast, close ? 0.6 : 0.8, !close);
   }
 
@@ -98,7 +91,7 @@ export class SceneCamera {
   }
 
   /** Sets the goal for this picture. `also`: what besides the players belongs into the whole. */
-  aim(view: View, players: Poses, eye: Eye, opponent: number, also: Points[]): void {
+  aim(view: View, players: Poses, eye: Eye, opponent: number, also: Spot[]): void {
     const at_end = view.time >= view.end - 0.05;
     const first = this.camera === null;
     if (this.camera !== view.camera) this.change(view.camera, players, eye, also);

@@ -108,8 +108,16 @@ export function gauge_at(motion: Motion, gauge: Float64Array, t: number): number
 /** s */
 const kMourned = 10;
 
-/** Places in the scene, km; those not noted do not count. */
-export type Points = Pick<Poses, 'noted' | 'x' | 'y' | 'z'>;
+/** A place in the scene, km. */
+export interface Spot {
+  x: number;
+  y: number;
+  z: number;
+}
+export const spot_of = ({ east, north, up }: Place): Spot => ({ x: east / 1000, y: up / 1000, z: -north / 1000 });
+
+/** Of a long way, one of so many samples and the last say where it went. */
+const kSeldom = 16;
 
 export class Poses {
   shown: Uint8Array = new Uint8Array(0);
@@ -140,12 +148,14 @@ export class Poses {
     return this.movers.length;
   }
 
-  /** Places on the ways of all, one of `every` samples and the last. */
-  ways(every = 16): Points {
-    const of = (axis: 'east' | 'north' | 'up', sign: number): Float64Array => Float64Array.from(this.movers.flatMap(({ motion }) =>
-      [...motion[axis]].filter((_, i, all) => i % every === 0 || i === all.length - 1)), (v) => (sign * v) / 1000);
-    const x = of('east', 1);
-    return { x, y: of('up', 1), z: of('north', -1), noted: new Uint8Array(x.length).fill(1) };
+  /** Places on the ways of all. */
+  ways(): Spot[] {
+    return this.movers.flatMap(({ motion: { east, north, up } }) => [...east.keys()].filter((i) => i % kSeldom === 0 || i === east.length - 1)
+      .map((i) => spot_of({ east: east[i]!, north: north[i]!, up: up[i]! })));
+  }
+  /** Where those are who are noted. */
+  spots(): Spot[] {
+    return [...this.noted.keys()].filter((i) => this.noted[i]).map((i) => ({ x: this.x[i]!, y: this.y[i]!, z: this.z[i]! }));
   }
 
   /** Of those who are not there (yet, or any more) the first or the last place remains. */

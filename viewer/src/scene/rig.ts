@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Where the camera stands, and how it gets from where it is to where it should be. No DOM, no three. */
 import type { Pose } from '../store.ts';
-import { turn, type Points } from './motion.ts';
+import { turn, type Spot } from './motion.ts';
 
 /** Looks at (x, y, z) km; `height` km of the scene fit into the picture there. */
 export interface Stance {
@@ -24,18 +24,15 @@ const kLargest = 3000;
 /** s until two thirds of a way are done: for the hand on the mouse, for a change of camera, to keep up with the fight. */
 export const kPace = { hand: 0.05, change: 0.18, chase: 0.3 } as const;
 
-/** Moves `out` along its direction of view so that all noted points, and with `ground` that below, are in the picture. False: nobody. */
-export function fit(out: Stance, points: Points, aspect: number, least: number, margin = 0.8, ground = true): boolean {
+/** Moves `out` along its direction of view so that all points, and with `ground` that below, are in the picture. False: there are none. */
+export function fit(out: Stance, points: readonly Spot[], aspect: number, least: number, margin = 0.8, ground = true): boolean {
   const [sa, ca, sp, cp] = [Math.sin(out.azimuth), Math.cos(out.azimuth), Math.sin(out.polar), Math.cos(out.polar)];
   const tan_v = Math.tan(out.fov / 2);
   const up_reach = tan_v * margin;
   const side_reach = tan_v * aspect * margin;
   let [left, right, top, bottom] = [-Infinity, -Infinity, -Infinity, -Infinity];
-  let heights = 0;
-  let count = 0;
-  for (let i = 0; i < points.noted.length; ++i) {
-    if (!points.noted[i]) continue;
-    const [x, y, z] = [points.x[i]!, points.y[i]!, points.z[i]!];
+  if (!points.length) return false;
+  for (const { x, y, z } of points) {
     const r = x * ca + z * sa;
     for (const level of ground ? [y, 0] : [y]) {
       const u = x * sa * cp + level * sp - z * ca * cp;
@@ -46,15 +43,12 @@ export function fit(out: Stance, points: Points, aspect: number, least: number, 
       top = Math.max(top, u + b * up_reach);
       bottom = Math.max(bottom, -u + b * up_reach);
     }
-    heights += y;
-    ++count;
   }
-  if (count === 0) return false;
   const eye_r = (right - left) / 2;
   const eye_u = (top - bottom) / 2;
   const eye_b = Math.max((right + left) / (2 * side_reach), (top + bottom) / (2 * up_reach));
   const eye_y = eye_u * sp + eye_b * cp;
-  const level = heights / count;
+  const level = points.reduce((sum, { y }) => sum + y, 0) / points.length;
   const distance = Math.max((eye_y - level) / cp, least / (2 * tan_v));
   // with `least` in force the eye steps back along its line of sight, whose foot stays
   const foot_b = eye_b - (eye_y - level) / cp;

@@ -153,7 +153,7 @@ export class AirPicture {
     missiles.update(view.time);
     const selected = this.run.players[view.selected];
     frame.sight = selected && players.shown[view.selected] ? eyesight(selected, view.time) : null;
-    camera.aim(view, players, eye, this.opponent(), [poses_of(frame)?.players, ghost_points(frame)].filter((points) => !!points));
+    camera.aim(view, players, eye, this.opponent(), [...(poses_of(frame)?.players.spots() ?? []), ...ghost_points(frame)]);
     const moving = camera.rig.step(Math.min(0.1, Math.max(0.001, (now - this.drawn_at) / 1000)));
     this.drawn_at = now;
     eye.look(camera.rig.stance());
