@@ -2,6 +2,7 @@
 /** Where the camera stands. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { Vector3 } from 'three';
 import { SceneCamera } from '../src/scene/camera.ts';
 import { Eye } from '../src/scene/eye.ts';
 import { fit, height_for_both, kFlatFov, kFov, Rig, type Stance } from '../src/scene/rig.ts';
@@ -61,7 +62,7 @@ test('it agrees with the camera of the renderer', () => {
 });
 
 test('all fit into the picture', () => {
-  const points = [{ x: -120, y: 7, z: 4 }, { x: 90, y: 11, z: -31 }, { x: 14, y: 2, z: 77 }];
+  const points = [new Vector3(-120, 7, 4), new Vector3(90, 11, -31), new Vector3(14, 2, 77)];
   for (const where of [stance(), stance({ polar: 0, fov: kFlatFov }), stance({ azimuth: 2, polar: 1.2 })]) {
     assert.ok(fit(where, points, 16 / 9, 10));
     const eye = eye_at(where);
@@ -79,7 +80,7 @@ test('all fit into the picture', () => {
 
 test('a few who keep together are not looked at too closely', () => {
   const where = stance();
-  assert.ok(fit(where, [{ x: 30, y: 9, z: -40 }], 1.5, 16));
+  assert.ok(fit(where, [new Vector3(30, 9, -40)], 1.5, 16));
   assert.ok(where.height >= 16 - 1e-9);
   const eye = eye_at(where);
   eye.project(30, 9, -40);
@@ -158,7 +159,7 @@ test('fewer pixels while it is too slow and all of them at rest', () => {
 });
 
 test('the whole has in it what else there is to be seen', () => {
-  const at = (...all: number[]) => all.map((x) => ({ x, y: 8, z: 0 }));
+  const at = (...all: number[]) => all.map((x) => new Vector3(x, 8, 0));
   const view = { time: 0, end: 100, camera: 'whole', selected: 0, pose: null } as unknown as View;
   const other = at(150);
   for (const [also, seen] of [[[], false], [other, true]] as const) {

@@ -2,6 +2,7 @@
 /** Where things are between samples. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { Vector3 } from 'three';
 import type { Motion } from '../src/run/run.ts';
 import { climb_at, gauge_at, is_shown, new_pose, place_at, pose_at, turn, Poses } from '../src/scene/motion.ts';
 
@@ -100,7 +101,7 @@ test('poses are in kilometers with z south and keep the last place of the lost',
   const poses = new Poses([{ born: 5, gone: 7, end: 'lost' as const, motion }]);
   poses.update(6);
   assert.deepEqual([poses.shown[0], poses.noted[0], poses.x[0], poses.y[0], poses.z[0]], [1, 1, 6, 3, -2]);
-  assert.deepEqual(poses.spots(), [{ x: 6, y: 3, z: -2 }]);
+  assert.deepEqual(poses.spots(), [new Vector3(6, 3, -2)]);
   poses.update(8);
   assert.deepEqual([poses.shown[0], poses.noted[0], poses.x[0]], [0, 1, 7]);
   poses.update(60);

@@ -4,6 +4,7 @@
 import { MathUtils } from 'three';
 import { listen } from '../events.ts';
 import { convergence } from '../scene/geo.ts';
+import { wrapped } from '../scene/motion.ts';
 import { last_at, source_of, type Player, type TrackSeen } from '../run/run.ts';
 import { Cell } from '../store.ts';
 import { keep, kept } from '../ui/link.ts';
@@ -60,8 +61,7 @@ const kActs = new Map(kKeys.flatMap(({ keys, act }) => keys.map((key) => [key, a
 /** Of a standard gamepad. */
 const kButtons: (Act | null)[] = ['shoot', 'dispense', 'gun', 'next', 'radar', 'stick', null, null, 'help', 'hand_back'];
 
-const { clamp, euclideanModulo } = MathUtils;
-const wrapped = (angle: number): number => euclideanModulo(angle, 2 * Math.PI);
+const { clamp } = MathUtils;
 
 /** A held key, or a stick that is moved, for `s` seconds. Ways are from -1 to 1: right, up, faster. */
 export function steered(wanted: Wanted, [right, up, faster]: readonly [number, number, number], s: number): Wanted {

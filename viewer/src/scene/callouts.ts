@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What was asked of the picture: who is who; how far it is, by rings, the bullseye, which is the scenario's reference, and a ruler; and
  * where another decision led. */
+import type { Vector3 } from 'three';
 import { made } from '../made.ts';
 import type { Player, Run } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
@@ -8,7 +9,7 @@ import { heading_text, quantity_text } from '../words/text.ts';
 import { type Frame, climb_words, far_km, height_words, kCrowd, kSideMark, near_km, range_words, x_of, y_of, z_of } from './frame.ts';
 import { convergence, measure } from './geo.ts';
 import { type GhostPoint, ghost_path } from './ghost.ts';
-import { gauge_at, place_at, type Spot, spot_of } from './motion.ts';
+import { gauge_at, place_at, spot_of } from './motion.ts';
 import { true_heading } from './hud.ts';
 import { round_up } from './grid.ts';
 
@@ -86,7 +87,7 @@ function path_of(run: Run, player: Player, ghost: Ghost): GhostPoint[] {
 }
 
 /** Where it leads, to be in the picture. */
-export function ghost_points({ run, view: { ghost } }: Frame): Spot[] {
+export function ghost_points({ run, view: { ghost } }: Frame): Vector3[] {
   const player = ghost && run.players[ghost.player];
   return ghost && player ? path_of(run, player, ghost).map(spot_of) : [];
 }

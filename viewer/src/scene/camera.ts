@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** The store's camera and the user's hand, turned into what the rig should do. */
+import { Box3, Vector3 } from 'three';
 import type { Pose, View } from '../store.ts';
 import type { Eye } from './eye.ts';
-import type { Poses, Spot } from './motion.ts';
+import type { Poses } from './motion.ts';
 import { fit, height_for_both, kFlatFov, kFov, kPace, Rig } from './rig.ts';
 
 /** rad from straight down, in 'whole' and when 'top' is left. */
@@ -23,7 +24,7 @@ export class SceneCamera {
   private camera: View['camera'] | null = null;
   private followed = -1;
   private nearer = 1;  // Of what the chasing camera would show.
-  private ways: Spot[] | null = null;  // All that was flown.
+  private ways: Vector3[] | null = null;  // All that was flown.
   private beside = 0;  // Where the chasing camera looks, from the heading.
   private pose: Pose | null = null;  // As the view has it.
 
@@ -32,7 +33,7 @@ export class SceneCamera {
   }
 
   /** A camera was chosen. */
-  private change(camera: View['camera'], players: Poses, eye: Eye, also: Spot[]): void {
+  private change(camera: View['camera'], players: Poses, eye: Eye, also: Vector3[]): void {
     const { goal } = this.rig;
     const before = this.camera;
     this.camera = camera;
@@ -61,11 +62,10 @@ export class SceneCamera {
   }
 
   /** In the end all that was flown. */
-  private fit(players: Poses, eye: Eye, at_end: boolean, also: Spot[]): void {
+  private fit(players: Poses, eye: Eye, at_end: boolean, also: Vector3[]): void {
     const points = [...(at_end ? (this.ways ??= players.ways()) : players.spots()), ...also];
-    const span = (axis: 'x' | 'z'): number =>
-      points.reduce((most, one) => Math.max(most, one[axis]), -Infinity) - points.reduce((least, one) => Math.min(least, one[axis]), Infinity);
-    const close = Math.max(span('x'), span('z')) < kClose;
+    const { x, z } = new Box3().setFromPoints(points).getSize(new Vector3());
+    const close = Math.max(x, z) < kClose;
     fit(this.rig.goal, points, eye.width / Math.max(1, eye.height), kLeast, close ? 0.6 : 0.8, !close);
   }
 
@@ -91,7 +91,7 @@ export class SceneCamera {
   }
 
   /** Sets the goal for this picture. `also`: what besides the players belongs into the whole. */
-  aim(view: View, players: Poses, eye: Eye, opponent: number, also: Spot[]): void {
+  aim(view: View, players: Poses, eye: Eye, opponent: number, also: Vector3[]): void {
     const at_end = view.time >= view.end - 0.05;
     const first = this.camera === null;
     if (this.camera !== view.camera) this.change(view.camera, players, eye, also);

@@ -5,6 +5,7 @@
  * in the picture need no more: over 1000 km the sphere is off by some 0.3 %.
  */
 import type { Place, Run } from '../run/run.ts';
+import { turn, wrapped } from './motion.ts';
 
 export type Origin = Run['origin'];
 
@@ -51,14 +52,12 @@ export function measure(origin: Origin, a: Place, b: Place): { range: number; be
   const [from, from_lon] = to_globe(origin, a.east, a.north);
   const [to, to_lon] = to_globe(origin, b.east, b.north);
   const [x, y, z] = seen_from(from, to, to_lon - from_lon);
-  const bearing = Math.atan2(x, y);
   const higher = b.up - a.up;
   const level = Math.atan2(Math.hypot(x, y), z) * (sphere_at(origin) + (a.up + b.up) / 2);
-  return { range: Math.hypot(level, higher), bearing: bearing < 0 ? bearing + 2 * Math.PI : bearing, higher };
+  return { range: Math.hypot(level, higher), bearing: wrapped(Math.atan2(x, y)), higher };
 }
 
 /** rad that the true bearing of the map's north is at a place: headings on the map and this make true headings. */
 export function convergence(origin: Origin, { east, north }: Pick<Place, 'east' | 'north'>): number {
-  const { bearing } = measure(origin, { east, north, up: 0 }, { east, north: north + 100, up: 0 });
-  return bearing > Math.PI ? bearing - 2 * Math.PI : bearing;
+  return turn(0, measure(origin, { east, north, up: 0 }, { east, north: north + 100, up: 0 }).bearing);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Where something is between the samples of its motion, and where everybody is at one time. */
+import { MathUtils, Vector3 } from 'three';
 import { last_at, type Missile, type Motion, type Place, type Player } from '../run/run.ts';
 
 export interface Pose extends Place {
@@ -17,9 +18,11 @@ export function new_pose(): Pose {
 
 /** The angle from `a` to `b` the short way round, rad in [-pi, pi). */
 export function turn(a: number, b: number): number {
-  const full = 2 * Math.PI;
-  const raw = (b - a + Math.PI) % full;
-  return (raw < 0 ? raw + full : raw) - Math.PI;
+  return wrapped(b - a + Math.PI) - Math.PI;
+}
+/** The same direction in [0, 2 pi). */
+export function wrapped(angle: number): number {
+  return MathUtils.euclideanModulo(angle, 2 * Math.PI);
 }
 
 /** Whether it is there to be seen. What is only cut off by the end of the run is still seen then. */
@@ -83,8 +86,7 @@ export function pose_at(motion: Motion, t: number, out: Pose): boolean {
   if (!find(motion, t)) return false;
   locate(motion, out);
   const { i, u } = found;
-  const heading = angle(motion.heading, i, u) % (2 * Math.PI);
-  out.heading = heading < 0 ? heading + 2 * Math.PI : heading;
+  out.heading = wrapped(angle(motion.heading, i, u));
   out.pitch = angle(motion.pitch, i, u);
   out.roll = angle(motion.roll, i, u);
   return true;
@@ -108,13 +110,8 @@ export function gauge_at(motion: Motion, gauge: Float64Array, t: number): number
 /** s */
 const kMourned = 10;
 
-/** A place in the scene, km. */
-export interface Spot {
-  x: number;
-  y: number;
-  z: number;
-}
-export const spot_of = ({ east, north, up }: Place): Spot => ({ x: east / 1000, y: up / 1000, z: -north / 1000 });
+/** In the scene, km. */
+export const spot_of = ({ east, north, up }: Place): Vector3 => new Vector3(east / 1000, up / 1000, -north / 1000);
 
 /** Of a long way, one of so many samples and the last say where it went. */
 const kSeldom = 16;
@@ -149,13 +146,13 @@ export class Poses {
   }
 
   /** Places on the ways of all. */
-  ways(): Spot[] {
+  ways(): Vector3[] {
     return this.movers.flatMap(({ motion: { east, north, up } }) => [...east.keys()].filter((i) => i % kSeldom === 0 || i === east.length - 1)
       .map((i) => spot_of({ east: east[i]!, north: north[i]!, up: up[i]! })));
   }
   /** Where those are who are noted. */
-  spots(): Spot[] {
-    return [...this.noted.keys()].filter((i) => this.noted[i]).map((i) => ({ x: this.x[i]!, y: this.y[i]!, z: this.z[i]! }));
+  spots(): Vector3[] {
+    return [...this.noted.keys()].filter((i) => this.noted[i]).map((i) => new Vector3(this.x[i], this.y[i], this.z[i]));
   }
 
   /** Of those who are not there (yet, or any more) the first or the last place remains. */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** Where the camera stands, and how it gets from where it is to where it should be. No DOM, no three. */
+/** Where the camera stands, and how it gets from where it is to where it should be. */
+import type { Vector3 } from 'three';
 import type { Pose } from '../store.ts';
-import { turn, type Spot } from './motion.ts';
+import { turn } from './motion.ts';
 
 /** Looks at (x, y, z) km; `height` km of the scene fit into the picture there. */
 export interface Stance {
@@ -25,7 +26,7 @@ const kLargest = 3000;
 export const kPace = { hand: 0.05, change: 0.18, chase: 0.3 } as const;
 
 /** Moves `out` along its direction of view so that all points, and with `ground` that below, are in the picture. False: there are none. */
-export function fit(out: Stance, points: readonly Spot[], aspect: number, least: number, margin = 0.8, ground = true): boolean {
+export function fit(out: Stance, points: readonly Vector3[], aspect: number, least: number, margin = 0.8, ground = true): boolean {
   const [sa, ca, sp, cp] = [Math.sin(out.azimuth), Math.cos(out.azimuth), Math.sin(out.polar), Math.cos(out.polar)];
   const tan_v = Math.tan(out.fov / 2);
   const up_reach = tan_v * margin;

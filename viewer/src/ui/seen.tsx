@@ -3,7 +3,7 @@
 import { useMemo } from 'preact/hooks';
 import { last_at, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
 import { convergence } from '../scene/geo.ts';
-import { new_pose, pose_at, type Pose } from '../scene/motion.ts';
+import { new_pose, pose_at, wrapped, type Pose } from '../scene/motion.ts';
 import { heading_text, height_text, quantity_text, side_text, value_text, clock_text, number_text } from '../words/text.ts';
 import { select } from './actions.ts';
 import { Name } from './leaders.tsx';
@@ -11,7 +11,7 @@ import { use_page } from './page.ts';
 
 function from_here(own: Place, { east, north, up }: Place): { range: number; bearing: number } {
   const [e, n] = [east - own.east, north - own.north];
-  return { range: Math.hypot(e, n, up - own.up), bearing: (Math.atan2(e, n) + 2 * Math.PI) % (2 * Math.PI) };
+  return { range: Math.hypot(e, n, up - own.up), bearing: wrapped(Math.atan2(e, n)) };
 }
 
 /** `north`: rad, of the map at its place, true; `heading` is true, too. */
