@@ -16,62 +16,45 @@ const kFar = 6000;
 const kCorners = 64;
 const kGraticule = 5;
 
-type Point = [x: number, y: number];
-type Ring = Point[];
-
 export interface Coast {
   land: Float32Array;  // Triangles, x y z of each corner in the scene.
   shore: Float32Array;  // Segments, x y of both ends.
   graticule: Float32Array;  // Segments of the lines of equal latitude and longitude each five degrees.
 }
 
-function project(origin: Origin, longitude: number, latitude: number): Point {
+function project(origin: Origin, longitude: number, latitude: number): Vector2 {
   const [east, north] = to_map(origin, latitude, longitude);
-  return [east / 1000, north / 1000];
+  return new Vector2(east / 1000, north / 1000);
 }
 
 /** The ring with far points pulled in, and with steps along the circle where it runs on it. */
-function pull_in(ring: Ring): Ring {
-  const out: Ring = [];
-  for (let i = 0; i < ring.length; ++i) {
-    const [x, y] = ring[i]!;
-    const [nx, ny] = ring[(i + 1) % ring.length]!;
-    const far = Math.hypot(x, y);
-    if (far <= kFar) {
-      out.push([x, y]);
-      continue;
-    }
-    const from = Math.atan2(y, x);
-    const sweep = turn(from, Math.atan2(ny, nx));
-    const steps = Math.hypot(nx, ny) > kFar ? Math.max(1, Math.ceil(Math.abs(sweep) / 0.4)) : 1;
-    for (let k = 0; k < steps; ++k) {
-      const angle = from + (sweep * k) / steps;
-      out.push([kFar * Math.cos(angle), kFar * Math.sin(angle)]);
-    }
-  }
-  return out;
+function pull_in(ring: Vector2[]): Vector2[] {
+  return ring.flatMap((point, i) => {
+    if (point.length() <= kFar) return [point];
+    const next = ring[(i + 1) % ring.length]!;
+    const from = Math.atan2(point.y, point.x);
+    const sweep = turn(from, Math.atan2(next.y, next.x));
+    const steps = next.length() > kFar ? Math.max(1, Math.ceil(Math.abs(sweep) / 0.4)) : 1;
+    const angles = Array.from({ length: steps }, (_, k) => from + (sweep * k) / steps);
+    return angles.map((angle) => new Vector2(kFar * Math.cos(angle), kFar * Math.sin(angle)));
+  });
 }
 
 /** What of the ring lies within reach: Sutherland and Hodgman's, edge by edge of a polygon for the circle. */
-function clip(ring: Ring): Ring {
+function clip(ring: Vector2[]): Vector2[] {
   let inside = ring;
   const edge = kReach * Math.cos(Math.PI / kCorners);
   for (let k = 0; k < kCorners && inside.length; ++k) {
     const angle = (2 * Math.PI * k) / kCorners;
-    const c = Math.cos(angle);
-    const s = Math.sin(angle);
-    const next: Ring = [];
-    for (let i = 0; i < inside.length; ++i) {
-      const a = inside[i]!;
+    const out = new Vector2(Math.cos(angle), Math.sin(angle));
+    const next: Vector2[] = [];
+    inside.forEach((a, i) => {
       const b = inside[(i + 1) % inside.length]!;
-      const da = a[0] * c + a[1] * s - edge;
-      const db = b[0] * c + b[1] * s - edge;
+      const da = a.dot(out) - edge;
+      const db = b.dot(out) - edge;
       if (da <= 0) next.push(a);
-      if (da <= 0 !== db <= 0) {
-        const u = da / (da - db);
-        next.push([a[0] + (b[0] - a[0]) * u, a[1] + (b[1] - a[1]) * u]);
-      }
-    }
+      if (da <= 0 !== db <= 0) next.push(a.clone().lerp(b, da / (da - db)));
+    });
     inside = next;
   }
   return inside;
@@ -84,9 +67,9 @@ function fill(rings: number[][][], origin: Origin, out: number[]): void {
     const flat = pull_in(ring.slice(0, -1).map(([lon, lat]) => project(origin, lon!, lat!)));
     // outer rings of the atlas run clockwise; one that does not after projection has the antipode
     // inside, and with it lies far away
-    if (k === 0 && ShapeUtils.area(flat.map(([x, y]) => new Vector2(x, y))) > 0) return;
+    if (k === 0 && ShapeUtils.area(flat) > 0) return;
     const cut = clip(flat);
-    if (cut.length >= 3) clipped.push(cut.map(([x, y]) => new Vector2(x, y)));
+    if (cut.length >= 3) clipped.push(cut);
     else if (k === 0) return;
   }
   const [outer, ...holes] = clipped;
@@ -97,7 +80,7 @@ function fill(rings: number[][][], origin: Origin, out: number[]): void {
 }
 
 /** The part of a segment within reach, appended. */
-function add_segment([ax, ay]: Point, [bx, by]: Point, out: number[]): void {
+function add_segment({ x: ax, y: ay }: Vector2, { x: bx, y: by }: Vector2, out: number[]): void {
   const dx = bx - ax;
   const dy = by - ay;
   const a = dx * dx + dy * dy;
@@ -118,7 +101,7 @@ function add_shore(ring: number[][], origin: Origin, out: number[]): void {
   for (let i = 0; i + 1 < ring.length; ++i) {
     const a = project(origin, ring[i]![0]!, ring[i]![1]!);
     const b = project(origin, ring[i + 1]![0]!, ring[i + 1]![1]!);
-    if (Math.min(Math.hypot(...a), Math.hypot(...b)) < 3 * kReach && !is_seam(ring[i]!, ring[i + 1]!)) add_segment(a, b, out);
+    if (Math.min(a.length(), b.length()) < 3 * kReach && !is_seam(ring[i]!, ring[i + 1]!)) add_segment(a, b, out);
   }
 }
 
