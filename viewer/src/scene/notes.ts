@@ -41,44 +41,38 @@ function is_clear(taken: readonly number[], x: number, y: number, width: number,
 export class Notes {
   readonly canvas = document.createElement('canvas');
   context: CanvasRenderingContext2D;
-  ui = 1;
   covered: readonly number[] = [];  // x y width height of what lies over the picture.
   private tags: Tag[] = [];
   private readonly taken: number[] = [];  // x y width height of what is taken already.
   readonly boxes: number[] = [];  // The same of all that is written: no two of them overlap.
   private readonly slots = new Map<number, number>();
   private letter = 7;
-  private width = 1;
-  private height = 1;
   private ratio = 1;
 
   /** `slow`: drawn by the processor, and better so without the detour over what only stands in for a graphics card. */
-  constructor(public palette: Palette, slow: boolean) {
+  constructor(private readonly eye: Eye, public palette: Palette, slow: boolean) {
     const context = this.canvas.getContext('2d', { willReadFrequently: slow });
     if (!context) throw new Error('no 2-D canvas');
     this.context = context;
   }
 
-  resize(eye: Eye, ratio: number): void {
-    this.width = eye.width;
-    this.height = eye.height;
+  resize(ratio: number): void {
     this.ratio = ratio;
-    this.ui = eye.ui;
-    this.canvas.width = Math.round(eye.width * ratio);
-    this.canvas.height = Math.round(eye.height * ratio);
+    this.canvas.width = Math.round(this.eye.width * ratio);
+    this.canvas.height = Math.round(this.eye.height * ratio);
     this.font();
     this.letter = this.context.measureText('0000000000').width / 10;
   }
 
   private font(): void {
-    this.context.font = `${kFont * this.ui}px ${kFamily}`;
+    this.context.font = `${kFont * this.eye.ui}px ${kFamily}`;
     this.context.textBaseline = 'middle';
   }
 
   begin(): void {
     const c = this.context;
     c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-    c.clearRect(0, 0, this.width, this.height);
+    c.clearRect(0, 0, this.eye.width, this.eye.height);
     this.font();
     this.tags = [];
     this.boxes.length = 0;
@@ -88,7 +82,7 @@ export class Notes {
   /** Outlined, or filled, `radius` and `width` in px of a small screen. */
   mark(kind: Mark, px: number, py: number, radius: number, tint: number, width = 1.5, filled = false, alpha = 1): void {
     const c = this.context;
-    const r = radius * this.ui;
+    const r = radius * this.eye.ui;
     c.beginPath();
     const outline = kOutlines[kind];
     if (!outline) c.arc(px, py, r, 0, 2 * Math.PI);
@@ -100,13 +94,13 @@ export class Notes {
       c.closePath();
     }
     if (filled) fill(c, tint, alpha);
-    else stroke(c, tint, width * this.ui, alpha);
+    else stroke(c, tint, width * this.eye.ui, alpha);
   }
 
   /** Four corners around a place. */
   bracket(px: number, py: number, radius: number, tint: number): void {
     const c = this.context;
-    const r = radius * this.ui;
+    const r = radius * this.eye.ui;
     const arm = r * 0.45;
     c.beginPath();
     for (let k = 0; k < 4; ++k) {
@@ -116,21 +110,21 @@ export class Notes {
       c.lineTo(px + sx * r, py + sy * r);
       c.lineTo(px + sx * (r - arm), py + sy * r);
     }
-    stroke(c, tint, 1.6 * this.ui);
+    stroke(c, tint, 1.6 * this.eye.ui);
   }
 
   /** Bare writing on a faint ground, kept clear of by labels; left out where something stands. */
   write(text: string, px: number, py: number, tint: number, align: 'center' | 'right' = 'center'): void {
     const c = this.context;
-    const width = (text.length * this.letter) + 6 * this.ui;
-    const height = 15 * this.ui;
+    const width = (text.length * this.letter) + 6 * this.eye.ui;
+    const height = 15 * this.eye.ui;
     const left = px - (align === 'right' ? width : width / 2);
     if (!this.is_whole(left, py - height / 2, width, height) || !is_clear(this.taken, left, py - height / 2, width, height)) return;
     c.fillStyle = css(this.palette.chip, 0.62);
     c.fillRect(left, py - height / 2, width, height);
     c.fillStyle = css(tint);
     c.textAlign = 'left';
-    c.fillText(text, left + 3 * this.ui, py + 0.5);
+    c.fillText(text, left + 3 * this.eye.ui, py + 0.5);
     this.settle(left, py - height / 2, width, height);
   }
 
@@ -159,13 +153,13 @@ export class Notes {
 
   /** Not cut off by the edge. */
   private is_whole(x: number, y: number, width: number, height: number): boolean {
-    return x >= 2 && y >= 2 && x + width <= this.width - 2 && y + height <= this.height - 2;
+    return x >= 2 && y >= 2 && x + width <= this.eye.width - 2 && y + height <= this.eye.height - 2;
   }
 
   private readonly spot = { x: 0, y: 0 };
   private aim(tag: Tag, slot: number, width: number, height: number): void {
     const [wx, wy] = kWays[slot % kWays.length]!;
-    const far = kRings[Math.floor(slot / kWays.length)]! * this.ui;
+    const far = kRings[Math.floor(slot / kWays.length)]! * this.eye.ui;
     this.spot.x = tag.px + wx * far + (wx > 0 ? 0 : wx < 0 ? -width : -width / 2);
     this.spot.y = tag.py + wy * far - height / 2 + (wx === 0 ? (wy * height) / 2 : 0);
   }
@@ -188,7 +182,7 @@ export class Notes {
 
   /** Labels, the important ones first. */
   end(): void {
-    const { ui } = this;
+    const { ui } = this.eye;
     const height = 16 * ui;
     for (const tag of this.tags.sort((a, b) => b.priority - a.priority || a.key - b.key)) {
       const lead = (tag.mark ? 15 : 5) * ui;
@@ -207,7 +201,7 @@ export class Notes {
 
   private draw(tag: Tag, slot: number, width: number, height: number, lead: number): void {
     const c = this.context;
-    const { spot, palette, ui } = this;
+    const { spot, palette, eye: { ui } } = this;
     const middle = spot.y + height / 2;
     if (slot >= kWays.length) {
       c.beginPath();

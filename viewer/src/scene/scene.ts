@@ -59,7 +59,7 @@ export class AirPicture {
     this.camera = new SceneCamera(globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false);
     this.frame = {
       run, other: other.get(), view: store.get(), players: new Poses(run.players), missiles: new Poses(run.missiles), sight: null, eye,
-      lines: painter.lines, puffs: painter.puffs, notes: new Notes(palette, painter.flat), palette, hovered: -1,
+      lines: painter.lines, puffs: painter.puffs, notes: new Notes(eye, palette, painter.flat), palette, hovered: -1,
     };
     const over = this.frame.notes.canvas;
     over.style.cssText = `${painter.canvas.style.cssText};touch-action:none`;
@@ -124,7 +124,7 @@ export class AirPicture {
     const height = Math.max(1, host.clientHeight);
     const ratio = Math.min(kSharpest, globalThis.devicePixelRatio || 1);
     frame.eye.resize(width, height, Math.max(1, rem_size() / kRem));
-    frame.notes.resize(frame.eye, ratio);
+    frame.notes.resize(ratio);
     const { offsetLeft = 0, offsetTop = 0, offsetWidth = 0, offsetHeight = 0 } = (host.nextElementSibling ?? {}) as Partial<HTMLElement>;
     frame.notes.covered = [offsetLeft, offsetTop, offsetWidth, offsetHeight];
     this.sharpen();
