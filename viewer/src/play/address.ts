@@ -10,13 +10,6 @@ const kLongestLink = 200_000;
 const kLargest = 1_000_000;
 const kDamaged = 'it is damaged or cut';
 
-interface Shared {
-  v: 1;
-  scenario: string;
-  seed?: string;
-  edits?: Record<string, string>;
-}
-
 async function through(bytes: Uint8Array<ArrayBuffer>, stream: ReadableWritablePair<Uint8Array, BufferSource>, most: number): Promise<Uint8Array<ArrayBuffer>> {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const parts: Uint8Array[] = [];
@@ -36,7 +29,7 @@ async function through(bytes: Uint8Array<ArrayBuffer>, stream: ReadableWritableP
 
 /** "" if it would be too long to be read. */
 export async function link_of({ scenario, seed, edits }: Project): Promise<string> {
-  const shared: Shared = { v: 1, scenario, ...(seed && { seed }), ...(Object.keys(edits).length && { edits: { ...edits } }) };
+  const shared = { v: 1, scenario, ...(seed && { seed }), ...(Object.keys(edits).length && { edits: { ...edits } }) };
   const bytes = new TextEncoder().encode(JSON.stringify(shared));
   const packed = await through(bytes, new CompressionStream('deflate'), Infinity);
   const base64 = btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join(''));

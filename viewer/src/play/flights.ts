@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: MIT
 /** Flies scenarios in a worker, one at a time, and keeps what became of them. */
-import type { Flown, Line, Outcome, Player } from '../engine/questions.ts';
+import type { Flown, Player } from '../engine/questions.ts';
 import type { RunningEngine } from '../engine/engine.ts';
 import { started } from '../parts.ts';
 import { is_edited, name_of, texts_of, type Project } from './project.ts';
 
-export interface Flight {
+export interface Flight extends Flown {
   number: number;  // From 1.
   project: Project;
   is_edited: boolean;  // What it flies with is not as shipped.
   name: string;
   seed: string;
   players: Player[];
-  /** s: how far it is, and when it ends at the latest. */
   time: number;
-  until: number;
+  until: number;  // s, when it ends at the latest.
   took: number;  // ms of the clock that flying took, without loading.
-  story: Line[];
-  outcome?: Outcome;  // When it is over.
-  fault: string;  // Why, if a fault has ended it.
-  hash: string;
   file?: Uint8Array;
 }
 
@@ -46,13 +41,10 @@ export class Flier {
     const began = performance.now();
     [this.flies, this.is_to_end] = [true, false];
     try {
-      for (let until = kSlice; !flight.outcome; until += kSlice) {
+      for (let until = kSlice; !flight.result; until += kSlice) {
         told(flight);
-        const flown: Flown = await (this.is_to_end ? engine.end_flight() : engine.fly({ until }));
-        flight = {
-          ...flight, time: flown.time ?? 0, took: performance.now() - began, hash: flown.hash, fault: flown.fault, story: [...flight.story, ...flown.story],
-          ...(flown.result && { outcome: flown.result }),
-        };
+        const flown = await (this.is_to_end ? engine.end_flight() : engine.fly({ until }));
+        flight = { ...flight, ...flown, time: flown.time ?? 0, took: performance.now() - began, story: [...flight.story, ...flown.story] };
       }
     } finally {
       this.flies = false;

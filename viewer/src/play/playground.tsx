@@ -31,14 +31,8 @@ const kRest = 150;
 const kMostFlights = 20;
 const kTooLarge = 'The changes are too large for a link';
 
-/** What the loader said last, and whether that was of what the text is now. */
-interface Said {
-  problems: Problem[];
-  is_now: boolean;
-}
-
-/** What the loader says of a project, asked when the keyboard rests. */
-function use_loader(module: WebAssembly.Module, project: Project): Said {
+/** What the loader said last of a project, asked when the keyboard rests, and whether that was of what the text is now. */
+function use_loader(module: WebAssembly.Module, project: Project): { problems: Problem[]; is_now: boolean } {
   const engine = useRef<ReturnType<typeof started> | null>(null);
   const { scenario, edits } = project;
   const texts = useMemo(() => ({ files: texts_of(project), scenario }), [scenario, edits]);
@@ -73,7 +67,7 @@ function Tabs({ project, file, onChoose }: { project: Project; file: string; onC
   );
 }
 
-function Problems({ said: { problems, is_now }, onGo }: { said: Said; onGo: (problem: Problem) => void }) {
+function Problems({ said: { problems, is_now }, onGo }: { said: ReturnType<typeof use_loader>; onGo: (problem: Problem) => void }) {
   const state = problems.length ? 'wrong' : 'right';
   return (
     <section class={`problems ${state}`} aria-label="Mistakes" aria-live="polite" data-state={is_now ? state : 'reading'}>

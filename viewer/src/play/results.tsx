@@ -32,7 +32,7 @@ function Progress({ flight: { time, until } }: { flight: Flight }) {
 
 function StoryLines({ flight }: { flight: Flight }) {
   const list = useRef<HTMLOListElement>(null);
-  const flies = !flight.outcome;
+  const flies = !flight.result;
   const side = new Map(flight.players.map((player) => [player.name, player.side]));
   useEffect(() => {
     if (list.current) list.current.scrollTop = flies ? list.current.scrollHeight : 0;
@@ -51,7 +51,7 @@ function StoryLines({ flight }: { flight: Flight }) {
 }
 
 function Last({ flight, before, busy, onDebrief }: { flight: Flight; before: Flight | undefined; busy: boolean; onDebrief: (runs: Flight[]) => void }) {
-  const { outcome, hash, took, time, fault } = flight;
+  const { result: outcome, hash, took, time, fault } = flight;
   return (
     <section class="last" aria-label="Outcome" data-hash={outcome ? hash : ''} data-outcome={outcome?.outcome ?? ''}>
       <h2>{flight.name}, seed {flight.seed} <span class="dim">flight {flight.number}</span></h2>
@@ -87,9 +87,9 @@ function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; o
               <td>{flight.number}</td>
               <td>{flight.name}{flight.is_edited ? <span title="edited"> •</span> : ''}</td>
               <td>{flight.seed}</td>
-              <td>{outcome_text(flight.outcome!.outcome)} {clock_text(flight.outcome!.time ?? 0)}</td>
-              <td>{flight.outcome!.blue.losses}</td>
-              <td>{flight.outcome!.red.losses}</td>
+              <td>{outcome_text(flight.result!.outcome)} {clock_text(flight.result!.time ?? 0)}</td>
+              <td>{flight.result!.blue.losses}</td>
+              <td>{flight.result!.red.losses}</td>
               <td><code title={flight.hash}>{flight.hash.slice(2, 8)}</code></td>
               <td><button type="button" class="link" disabled={busy} onClick={() => onDebrief([flight])}>debrief</button></td>
             </tr>

@@ -18,15 +18,9 @@ export interface Schema {
   definitions?: Record<string, Schema>;
 }
 
-/** Where in a text: the keys that lead there ("-" for an item of a list), and whether a key or a value is being written. */
-export interface Place {
-  path: string[];
-  at: 'key' | 'value';
-  said: string;  // What stands of the key or value before the place.
-}
-
-/** Where the end of a text is: what the editor's own parser makes of a letter that is written there. */
-export function place_of(text: string): Place {
+/** Where the end of a text is: what the editor's own parser makes of a letter that is written there. The keys that lead there ("-" for an
+ * item of a list), whether a key or a value is being written, and what stands of it before the place. */
+export function place_of(text: string): { path: string[]; at: 'key' | 'value'; said: string } {
   const written = text.endsWith(':') ? `${text} x` : `${text}x`;
   const last = yamlLanguage.parser.parse(written).resolve(written.length, -1);
   const column = (place: number): number => place - written.lastIndexOf('\n', place - 1);
@@ -34,7 +28,7 @@ export function place_of(text: string): Place {
   const before = last.type.isError ? last.prevSibling : null;
   const below = before && column(last.from) > column(before.from) ? before.lastChild : null;
   const path: string[] = [];
-  let at: Place['at'] = 'key';
+  let at: 'key' | 'value' = 'key';
   for (let node = below ?? last; node.parent; node = node.parent) {
     const { parent } = node;
     if (node.name === 'Item') path.unshift('-');

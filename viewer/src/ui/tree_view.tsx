@@ -19,11 +19,6 @@ interface Placed {
   hidden: number;  // How many nodes below are not shown.
   link: string;  // From the parent to here; "" for the root.
 }
-interface Layout {
-  placed: Placed[];
-  width: number;
-  height: number;
-}
 
 /** Trees no larger are seen as a whole. */
 const kFew = 12;
@@ -40,7 +35,7 @@ function below(tree: Tree, node: number): number {
 }
 
 /** `width_of` gives what a node needs; below those that are not open nothing is shown. */
-export function layout_tree(tree: Tree, is_open: (node: number) => boolean, width_of: (node: number, hidden: number) => number): Layout {
+export function layout_tree(tree: Tree, is_open: (node: number) => boolean, width_of: (node: number, hidden: number) => number) {
   const placed: Placed[] = [];
   const place = (node: number, above: Placed | null): void => {
     const { depth, children } = tree.nodes[node]!;

@@ -3,7 +3,7 @@
  * engine says, asked once for all panels that show it. */
 import { useEffect, useState } from 'preact/hooks';
 import { words_of } from '../engine/module.ts';
-import type { NodeType, NodeTypes, Outcome, WhatIf } from '../engine/questions.ts';
+import type { NodeType, NodeTypes, WhatIf } from '../engine/questions.ts';
 import { made } from '../made.ts';
 import { decode } from '../run/decode.ts';
 import type { Player, Run } from '../run/run.ts';
@@ -154,20 +154,13 @@ export function use_node_types(kind: 'aircraft' | 'vehicle'): NodeType[] {
   return types?.value ?? [];
 }
 
-/** How a run ended, and how it would have: `run` is that other flight. */
-export interface Future {
-  flown: Outcome;
-  other: Outcome;
-  run: Run;
-}
-
-/** The one that is shown, or was asked for. */
-export interface FlownOn extends Omit<Asked<Future>, 'key'> {
+/** The other future that is shown, or was asked for. */
+export interface FlownOn extends Omit<Asked<Awaited<ReturnType<typeof branch>>>, 'key'> {
   from: number;  // s
 }
 
-/** Flies on from a step with the changes. */
-export async function branch(run: Run, player: number, changes: readonly Change[], step: number): Promise<Future> {
+/** Flies on from a step with the changes: how the run ended, and how it would have; `run` is that other flight. */
+export async function branch(run: Run, player: number, changes: readonly Change[], step: number) {
   const engine = run.engine!;
   // asked in one go, so that nobody else goes to another step in between
   const [, { bytes, ...other }, flown] = await Promise.all([
