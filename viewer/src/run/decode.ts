@@ -142,10 +142,9 @@ function sights_of<C>(read: Read<C>, data: SightData<C>, texts: string[]): Sight
       { kind: texts[w.kind[k]!]!, bearing: w.bearing[k]!, range: w.range[k]!, name: texts[w.name[k]!]! })),
   });
   const state = lazy<Record<number, Float64Array>>(data.state.map((column) => () => read(column)));
-  const drawn = lazy<Record<number, Float64Array>>(data.state.map((_, i) => () => state[i]!.map((x) => (Number.isFinite(x) ? x : NaN))));
   const own = lazy<Pick<Sights, 't'>>({ t: () => read(data.t) });
   return Object.assign(own, {
-    channel: (field: number) => drawn[field] ?? new Float64Array(0),
+    channel: (field: number) => (state[field] ?? new Float64Array(0)).map((x) => (Number.isFinite(x) ? x : NaN)),
     at: (i: number) => ({
       t: own.t[i]!,
       state: Float64Array.from(data.state, (_, field) => state[field]![i]!),
