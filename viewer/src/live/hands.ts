@@ -118,7 +118,6 @@ export class Hands {
   private pressed: readonly boolean[] = [];  // Buttons of the gamepad.
   private once: Record<string, unknown> = {};
   private said = '';
-  private timer = 0;
   private pointed: [number, number] | null = null;
   private stop = (): void => {};
 
@@ -149,13 +148,13 @@ export class Hands {
       climb: null, load_factor: null, target: this.tracks(index).find(({ is_target }) => is_target)?.id ?? 0, gun: false, radar: true, pointer: false, stick: false,
     });
     if (!kept(kKnown)) this.help.set(true);
+    const timer = setInterval(() => this.tick(), kTick);
     const stops = [
       listen(window, { keydown: (event) => this.press(event), keyup: (event) => this.release(event) }, { capture: true }),
       listen(window, { pointermove: (event) => void (event.target instanceof Element && event.target.closest('.scene') && (this.pointed = [event.clientX, event.clientY])) }),
-      listen(window, { blur: () => this.let_go() }),
+      listen(window, { blur: () => this.let_go() }), () => clearInterval(timer),
     ];
     this.stop = () => stops.forEach((stop) => stop());
-    this.timer = window.setInterval(() => this.tick(), kTick);
     this.tick();
   }
 
@@ -167,7 +166,6 @@ export class Hands {
   /** Without a word to anybody. */
   drop(): void {
     this.stop();
-    clearInterval(this.timer);
     this.wanted.set(null);
     this.help.set(false);
   }
