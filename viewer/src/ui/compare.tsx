@@ -40,16 +40,6 @@ export function link_pages(a: Page, b: Page): void {
   follow(b, a);
 }
 
-/** Where the decisions of `player` part; null: nowhere, or it is not in both. */
-function use_divergence(pages: Page[], player: Player): { both: boolean; decision: Divergence | null } {
-  const [a, b] = [pages[0]!, pages[1]!];
-  return useMemo(() => {
-    const [one, two] = [a, b].map((page) => page.run.players[namesake(page, player)]);
-    const both = one !== undefined && two !== undefined;
-    return { both, decision: both ? first_difference({ run: a.run, player: one }, { run: b.run, player: two }) : null };
-  }, [a, b, player.name]);
-}
-
 /** The first story line that only one run has. */
 function OtherLine({ pages }: { pages: Page[] }) {
   const page = use_page();
@@ -85,14 +75,18 @@ function Parting({ pages, player, both, decision }: { pages: Page[]; player: Pla
 }
 
 export function CompareRows({ pages, player }: { pages: Page[]; player: Player }) {
-  const { both, decision } = use_divergence(pages, player);
+  const there = pages.flatMap((page) => {
+    const who = page.run.players[namesake(page, player)];
+    return who ? [{ letter: page.letter, run: page.run, player: who }] : [];
+  });
+  const [a, b] = there;
+  const decision = useMemo(() => (a && b ? first_difference(a, b) : null), [...pages, player.name]);
   return (
     <>
-      {pages.map((one) => {
-        const who = one.run.players[namesake(one, player)];
-        return who && <LeaderRow key={one.letter} player={who} run={one.run} label={`${one.letter} ${who.name}`} cut={decision?.t} />;
-      })}
-      <Parting pages={pages} player={player} both={both} decision={decision} />
+      {there.map(({ letter, run, player: who }) => (
+        <LeaderRow key={letter} player={who} run={run} label={`${letter} ${who.name}`} cut={decision?.t} />
+      ))}
+      <Parting pages={pages} player={player} both={b !== undefined} decision={decision} />
     </>
   );
 }
