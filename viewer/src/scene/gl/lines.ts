@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /**
  * Many lines in one draw call: each segment a quad that the vertex shader spreads to its width on screen. Not instanced:
- * renderers in software take each instance for a draw call of its own.
+ * renderers in software take each instance for a draw call of its own. And soft discs, all in another one.
  */
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Mesh,
+  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Mesh, Points,
   ShaderMaterial, type Vector2, Vector3,
 } from 'three';
-import type { Pens } from '../painter.ts';
+import type { Discs, Pens } from '../painter.ts';
 
 const kVertex = /* glsl */ `
   attribute vec3 from;
@@ -176,6 +176,70 @@ export class Lines implements Pens {
       buffer.needsUpdate = true;
     }
     this.mesh.geometry.setDrawRange(0, this.count * 6);
+    this.mesh.visible = this.count > 0;
+    this.count = 0;
+  }
+}
+
+const kDiscVertex = /* glsl */ `
+  attribute vec2 size;
+  attribute vec4 tint;
+  uniform vec2 pixels;
+  uniform float ratio;
+  varying vec4 shade;
+  void main() {
+    vec4 at = viewMatrix * vec4(position, 1.0);
+    gl_Position = projectionMatrix * at;
+    float km = projectionMatrix[1][1] * pixels.y * 0.5 / max(1e-3, -at.z);
+    gl_PointSize = min(512.0, max(size.y * ratio, size.x * km) * 2.0);
+    shade = tint;
+  }`;
+
+const kDiscFragment = /* glsl */ `
+  varying vec4 shade;
+  void main() {
+    float out_from_middle = length(gl_PointCoord * 2.0 - 1.0);
+    if (out_from_middle > 1.0) discard;
+    gl_FragColor = vec4(shade.rgb, shade.a * smoothstep(1.0, 0.35, out_from_middle));
+  }`;
+
+const kDiscFloats = 5;
+const kMost = 1024;
+
+/** As many as fit; what is beyond is left out. */
+export class Puffs implements Discs {
+  readonly mesh: Points<BufferGeometry, ShaderMaterial>;
+  private count = 0;
+  private readonly floats: InterleavedBuffer;
+  private readonly tints: BufferAttribute;
+
+  constructor(screen: Screen, order: number) {
+    const geometry = new BufferGeometry();
+    this.floats = new InterleavedBuffer(new Float32Array(kMost * kDiscFloats), kDiscFloats).setUsage(DynamicDrawUsage);
+    this.tints = new BufferAttribute(new Uint8Array(kMost * 4), 4, true).setUsage(DynamicDrawUsage);
+    geometry.setAttribute('position', new InterleavedBufferAttribute(this.floats, 3, 0));
+    geometry.setAttribute('size', new InterleavedBufferAttribute(this.floats, 2, 3));
+    geometry.setAttribute('tint', this.tints);
+    const material = new ShaderMaterial({
+      vertexShader: kDiscVertex, fragmentShader: kDiscFragment, uniforms: { pixels: screen.pixels, ratio: screen.ratio },
+      transparent: true, depthWrite: false,
+    });
+    this.mesh = new Points(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = order;
+  }
+
+  add(x: number, y: number, z: number, radius: number, least: number, tint: number, alpha: number): void {
+    if (this.count === kMost) return;
+    (this.floats.array as Float32Array).set([x, y, z, radius, least], this.count * kDiscFloats);
+    (this.tints.array as Uint8Array).set([tint >> 16, (tint >> 8) & 255, tint & 255, alpha * 255], this.count * 4);
+    ++this.count;
+  }
+
+  end(): void {
+    this.floats.needsUpdate = true;
+    this.tints.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, this.count);
     this.mesh.visible = this.count > 0;
     this.count = 0;
   }

@@ -12,8 +12,7 @@ import { type Palette, kDiffuse, kGround, kSky, kSun, kSunlight } from '../palet
 import { type Volume, corner_of as at, kColumns, kRows, kTrackVeil } from '../radar.ts';
 import { Fleet } from './fleet.ts';
 import { Ground } from './ground.ts';
-import { Lines, type Screen } from './lines.ts';
-import { Puffs } from './puffs.ts';
+import { Lines, Puffs, type Screen } from './lines.ts';
 
 /** The radar's volume as triangles. */
 class RadarVolume {
