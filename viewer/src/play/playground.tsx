@@ -313,7 +313,7 @@ function Playground({ files, schema, module, host, view }: Texts & { module: Web
       <aside class="right">
         <Results flying={flying} flights={flights} help={help_of(text)} busy={busy !== ''} onDebrief={(runs) => void debrief(runs, {})} />
       </aside>
-      <Splitter label="Width of the results" size={right || 40} limits={{ least: 26, most: 90 }} grows="left" onHide={() => set_right(26)} onChange={set_right} />
+      <Splitter label="Width of the results" size={right || 40} limits={[26, 90]} grows="left" onHide={() => set_right(26)} onChange={set_right} />
     </div>
   );
 }

@@ -44,24 +44,18 @@ export function read_column(bytes: Uint8Array, [offset, count, quantum, order]: 
   return out;
 }
 
-export interface SightData<C = Column> {
-  t: C;
-  state: C[];
-  tracks: Packed<'count' | 'id' | 'truth' | 'identity' | 'target' | 'east' | 'north' | 'up' | 'age', C>;
-  warnings: Packed<'count' | 'kind' | 'bearing' | 'range' | 'name', C>;
-  scan: Packed<'mode' | 'azimuth' | 'elevation', C> | null;
-  zone: Packed<'min' | 'no_escape' | 'max', C> | null;
-}
-export interface DecisionData<C = Column> {
-  step: C;
-  shape: C;
-  values: [node: number, field: number, column: C][];
-}
 export interface PlayerData<C = Column> extends Omit<Player, 'index' | 'motion' | 'gauges' | 'decisions' | 'sights'> {
   motion: Packed<keyof Motion, C>;
   gauges: Packed<keyof Gauges, C>;
-  decisions: DecisionData<C>;
-  sights: SightData<C>;
+  decisions: { step: C; shape: C; values: [node: number, field: number, column: C][] };
+  sights: {
+    t: C;
+    state: C[];
+    tracks: Packed<'count' | 'id' | 'truth' | 'identity' | 'target' | 'east' | 'north' | 'up' | 'age', C>;
+    warnings: Packed<'count' | 'kind' | 'bearing' | 'range' | 'name', C>;
+    scan: Packed<'mode' | 'azimuth' | 'elevation', C> | null;
+    zone: Packed<'min' | 'no_escape' | 'max', C> | null;
+  };
 }
 export interface MissileData<C = Column> extends Omit<Missile, 'active' | 'motion'> {
   active: number | null;
@@ -105,7 +99,7 @@ function table<K extends string, C>(read: Read<C>, data: Packed<K, C>): Record<K
   return lazy(Object.fromEntries(makers) as Record<K, () => Float64Array>);
 }
 
-function decisions_of<C>(read: Read<C>, data: DecisionData<C>, shapes: Shape[], dt: number): Decisions {
+function decisions_of<C>(read: Read<C>, data: PlayerData<C>['decisions'], shapes: Shape[], dt: number): Decisions {
   const own: Omit<Decisions, 'value'> = lazy({
     step: () => read(data.step),
     shape: () => Int32Array.from(read(data.shape)),
@@ -129,7 +123,7 @@ function rows_of<T>({ count }: { count: Float64Array }, row: (k: number) => T): 
   return (i) => Array.from({ length: count[i]! }, (_, k) => row(first[i]! + k));
 }
 
-function sights_of<C>(read: Read<C>, data: SightData<C>, texts: string[]): Sights {
+function sights_of<C>(read: Read<C>, data: PlayerData<C>['sights'], texts: string[]): Sights {
   const [c, w] = [table(read, data.tracks), table(read, data.warnings)];
   const scan = data.scan && table(read, data.scan);
   const zone = data.zone && table(read, data.zone);

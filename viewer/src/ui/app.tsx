@@ -16,7 +16,7 @@ import { Moments, Story } from './story.tsx';
 import { EveryoneRow, LeaderRow, Legend, OtherRow, WhatIfRow } from './leaders.tsx';
 import { PageContext, use_page, type Page } from './page.ts';
 import { Players } from './players.tsx';
-import { Splitter, type Limits } from './splitter.tsx';
+import { Splitter } from './splitter.tsx';
 import { Stack } from './stack.tsx';
 import { Stage } from './stage.tsx';
 import { Strips } from './strips.tsx';
@@ -28,7 +28,8 @@ import { forget, ForgetFuture } from './what_if.tsx';
 type Panel = 'left' | 'right' | 'bottom';
 type Sizes = Record<Panel, number>;
 
-const kLimits: Record<Panel, Limits> = { left: { least: 12, most: 40 }, right: { least: 22, most: 80 }, bottom: { least: 8, most: 60 } };
+/** rem: least and most. */
+const kLimits: Record<Panel, [number, number]> = { left: [12, 40], right: [22, 80], bottom: [8, 60] };
 /** Lanes for everybody fit below the timeline up to this many players. */
 const kMostLanes = 12;
 

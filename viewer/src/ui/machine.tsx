@@ -10,12 +10,6 @@ import { text_width } from './canvas.ts';
 import { use_page } from './page.ts';
 import { use_rove } from './use.ts';
 
-interface Visit {
-  t: number;
-  state: number;  // Among the sequencer's children.
-  rule: number;  // That led there; -1: the first, or it is not known.
-}
-
 const state_count = (tree: Tree, node: number): number => tree.nodes[node]!.children.length - tree.nodes[node]!.rules!.length;
 
 /** Of the sequencer `node`, which of its trees was asked; -1: none. */
@@ -30,9 +24,9 @@ export function fired(tree: Tree, shape: Shape, node: number): number {
   return rules!.findIndex(([, to], i) => to === state && shape.status[children[first + i]!] === 'success');
 }
 
-/** Which states a player went through, by its decisions. */
-export function visits_of(run: Run, { decisions }: Player, tree: number, node: number): Visit[] {
-  const visits: Visit[] = [];
+/** Since when (s) a player was in which states, by its decisions, and the rule that led there; -1: the first, or it is not known. */
+export function visits_of(run: Run, { decisions }: Player, tree: number, node: number): { t: number; state: number; rule: number }[] {
+  const visits: ReturnType<typeof visits_of> = [];
   const states = run.shapes.map((shape) => (shape.tree === tree ? state_of(run.trees[tree]!, shape, node) : -1));
   decisions.shape.forEach((s, i) => {
     const state = states[s]!;

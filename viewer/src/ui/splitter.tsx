@@ -3,24 +3,20 @@
 import { useRef } from 'preact/hooks';
 import { rem_size } from './canvas.ts';
 
-export interface Limits {
-  least: number;  // rem
-  most: number;
-}
-
-/** `grows` says in which direction of the screen the panel gets larger. */
-export function Splitter({ label, size, limits, grows, onChange, onHide }: {
-  label: string; size: number; limits: Limits; grows: 'left' | 'right' | 'up'; onChange: (size: number) => void; onHide: () => void;
+/** Sizes are in rem; `grows` says in which direction of the screen the panel gets larger. */
+export function Splitter({ label, size, limits: [least, most], grows, onChange, onHide }: {
+  label: string; size: number; limits: readonly [least: number, most: number]; grows: 'left' | 'right' | 'up';
+  onChange: (size: number) => void; onHide: () => void;
 }) {
   const from = useRef<{ at: number; size: number } | null>(null);
   const sign = grows === 'right' ? 1 : -1;
-  const put = (wanted: number): void => onChange(Math.min(Math.max(wanted, limits.least), limits.most));
+  const put = (wanted: number): void => onChange(Math.min(Math.max(wanted, least), most));
   const place = (event: PointerEvent): number => (grows === 'up' ? event.clientY : event.clientX);
   const steps: Record<string, number> = grows === 'up' ? { ArrowUp: 1, ArrowDown: -1 } : { ArrowLeft: -sign, ArrowRight: sign };
   return (
     <div class={`splitter grows-${grows}`} role="separator" tabIndex={0} title={`${label}: drag; a double click hides it`}
       aria-label={label} aria-orientation={grows === 'up' ? 'horizontal' : 'vertical'}
-      aria-valuenow={Math.round(size)} aria-valuemin={limits.least} aria-valuemax={limits.most}
+      aria-valuenow={Math.round(size)} aria-valuemin={least} aria-valuemax={most}
       onPointerDown={(event) => {
         from.current = { at: place(event), size };
         event.currentTarget.setPointerCapture(event.pointerId);

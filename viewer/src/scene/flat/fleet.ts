@@ -17,12 +17,6 @@ interface Model {
   normals: ArrayLike<number>;  // at each of them
   outline: (readonly [x: number, z: number])[];  // all the way around
 }
-/** A face that looks here: x y of its corners in the picture, how deep they lie together, and how much light it has. */
-interface Face {
-  spots: number[];
-  depth: number;
-  level: number;
-}
 
 /** px around the picture within which a model may still reach into it. */
 const kMargin = 60;
@@ -53,9 +47,9 @@ function outline_of({ outline }: Model, matrix: Matrix4, eye: Eye): number[] {
   });
 }
 
-/** From back to front. */
-function faces_of({ corners, normals }: Model, matrix: Matrix4, eye: Eye): Face[] {
-  const faces: Face[] = [];
+/** Those that look here, from back to front: x y of their corners in the picture, how deep these lie together, and how much light it has. */
+function faces_of({ corners, normals }: Model, matrix: Matrix4, eye: Eye): { spots: number[]; depth: number; level: number }[] {
+  const faces: ReturnType<typeof faces_of> = [];
   for (let at = 0; at < corners.length; at += 9) {
     let depth = 0;
     for (let k = 0; k < 3; ++k) {
