@@ -129,9 +129,7 @@ export class Poses {
   private readonly pose = new_pose();
 
   /** There may be more of them later. */
-  constructor(private readonly movers: readonly Mover[]) {
-    this.grow();
-  }
+  constructor(private readonly movers: readonly Mover[]) {}
 
   private grow(): void {
     const array = (): Float64Array => new Float64Array(this.movers.length);

@@ -78,13 +78,11 @@ export class Rig {
   readonly anchor = { x: 0, y: 0, z: 0 };
   readonly goal: Stance;
   private readonly now: Stance;
-  private readonly out: Stance;
   pace: number = kPace.change;
   /** No gliding: for those who asked their system for less motion. */
   constructor(start: Stance, private readonly still = false) {
     this.goal = { ...start };
     this.now = { ...start };
-    this.out = { ...start };
   }
 
   /** What is followed moved: all go along. */
@@ -178,7 +176,7 @@ export class Rig {
   }
 
   stance(): Stance {
-    const { now, out, anchor } = this;
-    return Object.assign(out, now, { x: now.x + anchor.x, y: now.y + anchor.y, z: now.z + anchor.z });
+    const { now, anchor } = this;
+    return { ...now, x: now.x + anchor.x, y: now.y + anchor.y, z: now.z + anchor.z };
   }
 }
