@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/ranks.hpp"
 
-#include <cstring>
 #include <stdexcept>
+
+#include "core/bytes.hpp"
 
 namespace eyrie::campaign {
 namespace {
@@ -16,49 +17,6 @@ constexpr std::uint64_t kAhead = 64;
 // byte of one to rank 0 says what it is; one from rank 0 is a job.
 enum class Kind : char { hello = 'h', result = 'r', thrown = 't', failed = 'f' };
 
-class Packed {
- public:
-  explicit Packed(Kind kind) : bytes(1, static_cast<char>(kind)) {}
-  template <class T>
-  Packed& operator<<(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-    return *this;
-  }
-  template <class T>
-  Packed& add(const T* values, std::size_t n) {
-    *this << static_cast<std::uint64_t>(n);
-    bytes.append(reinterpret_cast<const char*>(values), n * sizeof *values);
-    return *this;
-  }
-  std::string bytes;
-};
-
-class Unpacked {
- public:
-  explicit Unpacked(std::string_view bytes) : left_(bytes.substr(1)) {}
-  template <class T>
-  Unpacked& operator>>(T& value) {
-    return copy(&value, sizeof value);
-  }
-  template <class Values>
-  Unpacked& fill(Values& values) {
-    std::uint64_t n = 0;
-    *this >> n;
-    values.resize(n);
-    return copy(values.data(), n * sizeof(typename Values::value_type));
-  }
-
- private:
-  Unpacked& copy(void* to, std::size_t size) {
-    EYRIE_DEMAND(size <= left_.size(), "a message is too short");
-    std::memcpy(to, left_.data(), size);
-    left_.remove_prefix(size);
-    return *this;
-  }
-  std::string_view left_;
-};
-
 std::string words_of(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
@@ -70,34 +28,38 @@ std::string words_of(const std::exception_ptr& thrown) {
 }
 
 std::string packed(const Done& done) {
-  if (done.thrown) {
-    const std::string words = words_of(done.thrown);
-    return (Packed(Kind::thrown) << done.job).add(words.data(), words.size()).bytes;
-  }
-  const Flown& flown = done.result.flown;
-  Packed out(Kind::result);
-  out << done.job << flown.seed << flown.steps << flown.hash << flown.outcome << flown.time;
-  out.add(flown.fault.data(), flown.fault.size());
-  return out.add(done.result.values.data(), done.result.values.size()).bytes;
+  const auto& [job, result, thrown] = done;
+  const Flown& flown = result.flown;
+  std::string out(1, static_cast<char>(thrown ? Kind::thrown : Kind::result));
+  for (const std::uint64_t number :
+       {job.round, job.index, job.cell, job.replicate, flown.seed, flown.steps, flown.hash,
+        static_cast<std::uint64_t>(flown.outcome)})
+    put_number(out, number);
+  put_number(out, flown.time);
+  const std::string words = thrown ? words_of(thrown) : flown.fault;
+  put_number(out, std::uint64_t{words.size()});
+  out += words;
+  put_number(out, std::uint64_t{result.values.size()});
+  for (const double value : result.values)
+    put_number(out, value);
+  return out;
 }
 
 Done unpacked(const Link::Message& message) {
-  Done done;
-  Unpacked in(message.bytes);
-  in >> done.job;
-  if (message.bytes[0] == static_cast<char>(Kind::thrown)) {
-    std::string words;
-    in.fill(words);
+  ByteReader in(std::string_view(message.bytes).substr(1));
+  const auto next = [&] { return in.number<std::uint64_t>(); };
+  const Job job{next(), next(), next(), next()};
+  Flown flown{.seed = next(),
+              .steps = next(),
+              .hash = next(),
+              .outcome = static_cast<scenario::Outcome>(next()),
+              .time = in.number<double>(),
+              .fault = std::string(in.text())};
+  Done done{job, {job.cell, job.replicate, std::move(flown), in.block<double>()}, {}};
+  EYRIE_DEMAND(in.ok(), "a message is too short");
+  if (message.bytes[0] == static_cast<char>(Kind::thrown))
     done.thrown = std::make_exception_ptr(
-        std::runtime_error(fmt::format("rank {}: {}", message.from, words)));
-    return done;
-  }
-  Result& result = done.result;
-  result.cell = done.job.cell;
-  result.replicate = done.job.replicate;
-  Flown& flown = result.flown;
-  in >> flown.seed >> flown.steps >> flown.hash >> flown.outcome >> flown.time;
-  in.fill(flown.fault).fill(result.values);
+        std::runtime_error(fmt::format("rank {}: {}", message.from, done.result.flown.fault)));
   return done;
 }
 
@@ -148,7 +110,10 @@ void Pool::help() {
 }
 
 void serve(Link& link, Pool& pool, std::uint64_t origin) {
-  link.send(0, (Packed(Kind::hello) << std::uint64_t{pool.workers()} << origin).bytes);
+  std::string hello(1, static_cast<char>(Kind::hello));
+  put_number(hello, std::uint64_t{pool.workers()});
+  put_number(hello, origin);
+  link.send(0, hello);
   for (Nap nap;;) {
     bool something = false;
     while (const auto message = link.receive()) {
@@ -169,7 +134,7 @@ void serve(Link& link, Pool& pool, std::uint64_t origin) {
 }
 
 void fail(Link& link, std::string_view words) {
-  link.send(0, Packed(Kind::failed).add(words.data(), words.size()).bytes);
+  link.send(0, static_cast<char>(Kind::failed) + std::string(words));
 }
 
 Ranks::Ranks(Link& link, Pool& pool, std::uint64_t origin)
@@ -188,19 +153,16 @@ void Ranks::listen() {
     keep(0, std::move(*done));
   while (const auto message = link_.receive()) {
     const auto from = static_cast<std::size_t>(message->from);
-    Unpacked in(message->bytes);
-    if (message->bytes[0] == static_cast<char>(Kind::failed)) {
-      std::string words;
-      in.fill(words);
-      throw std::runtime_error(fmt::format("rank {}: {}", from, words));
-    }
+    const std::string_view said = std::string_view(message->bytes).substr(1);
+    if (message->bytes[0] == static_cast<char>(Kind::failed))
+      throw std::runtime_error(fmt::format("rank {}: {}", from, said));
     if (message->bytes[0] != static_cast<char>(Kind::hello)) {
       keep(from, unpacked(*message));
       continue;
     }
-    std::uint64_t origin = 0;
-    in >> ranks_[from].workers >> origin;
-    if (origin != origin_)
+    ByteReader in(said);
+    ranks_[from].workers = in.number<std::uint64_t>();
+    if (in.number<std::uint64_t>() != origin_)
       throw std::runtime_error(
           fmt::format("rank {} has another program, campaign or scenario than rank 0", from));
   }
