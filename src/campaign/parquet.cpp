@@ -13,16 +13,6 @@
 namespace eyrie::campaign {
 namespace {
 
-std::string between(std::string_view text, char mark) {
-  std::string out(1, mark);
-  for (const char c : text)
-    out.append(c == mark ? 2 : 1, c);
-  return out + mark;
-}
-std::string sql_text(std::string_view text) {
-  return between(text, '\'');
-}
-
 bool has_texts(Database& database, const std::string& factor) {
   Statement texts = database.prepare(
       fmt::format("SELECT 1 FROM cells WHERE typeof({}) = 'text' LIMIT 1", sql_name(factor)));
@@ -42,7 +32,7 @@ bool write_rows(Database& database, std::FILE* file) {
       else if (rows.is_whole(i))
         line += rows.text(i);
       else if (!rows.is_null(i))
-        line += between(rows.text(i), '"');
+        line += sql_name(rows.text(i));
     }
     line += '\n';
     std::fwrite(line.data(), 1, line.size(), file);
@@ -119,11 +109,11 @@ void Parquet::write(Database& database, disk::OutputFile& file) {
       kTexts{"outcome", "hash"};
   std::vector<std::string> columns{"'cell': 'BIGINT'"};
   for (const std::string& factor : columns_of(database, "cells", 2))
-    columns.push_back(fmt::format("{}: '{}'", sql_text(factor),
+    columns.push_back(fmt::format("{}: '{}'", sql_name(factor, '\''),
                                   has_texts(database, factor) ? "VARCHAR" : "DOUBLE"));
   for (int i = 1; const std::string& name : columns_of(database, "replicates", 1)) {
     const bool own = i++ < kFirstColumn;
-    columns.push_back(fmt::format("{}: '{}'", sql_text(name),
+    columns.push_back(fmt::format("{}: '{}'", sql_name(name, '\''),
                                   own && kIntegers.contains(name) ? "BIGINT"
                                   : own && kTexts.contains(name)  ? "VARCHAR"
                                                                   : "DOUBLE"));

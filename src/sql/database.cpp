@@ -237,11 +237,11 @@ std::string Database::bytes() const {
   return {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)};
 }
 
-std::string sql_name(std::string_view name) {
-  std::string text = "\"";
+std::string sql_name(std::string_view name, char mark) {
+  std::string text(1, mark);
   for (const char c : name)
-    text += c == '"' ? "\"\"" : std::string(1, c);
-  return text + "\"";
+    text.append(c == mark ? 2 : 1, c);
+  return text + mark;
 }
 
 }  // namespace eyrie::sql

@@ -85,7 +85,7 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// A name as SQL writes it, whatever stands in it.
-[[nodiscard]] std::string sql_name(std::string_view name);
+/// A name as SQL writes it, whatever stands in it; with the mark ' a text.
+[[nodiscard]] std::string sql_name(std::string_view name, char mark = '"');
 
 }  // namespace eyrie::sql
