@@ -24,49 +24,29 @@ double reflected(double x) {
 std::string line_of(std::uint64_t generation, std::size_t candidate, const Cell& cell,
                     std::string_view score) {
   std::string line = fmt::format("{},{},{}", generation, candidate, score);
-  for (const std::string& value : cell.values) {
-    std::string text;
-    for (const char c : value)
-      text += c == '"' ? "\"\"" : std::string(1, c);
-    line += fmt::format(",\"{}\"", text);
-  }
+  for (const std::string& value : cell.values)
+    line += "," + sql_name(value);  // as CSV has it, too
   return line;
 }
-
-/// Each scenario of some cells, loaded once; nothing of those that are refused.
-class Loaded {
- public:
-  Loaded(const Spec& spec, std::span<const Cell> cells, const Load& load) {
-    for (const Cell& cell : cells)
-      if (std::vector<std::string> sets = sets_of(spec, cell); !by_sets_.contains(sets)) {
-        std::shared_ptr<const scenario::Scenario> scenario;
-        try {
-          scenario = load(sets);
-        } catch (const ConfigError&) {
-          // whoever asks for it sees
-        }
-        by_sets_.emplace(std::move(sets), std::move(scenario));
-      }
-  }
-  [[nodiscard]] std::shared_ptr<const scenario::Scenario> operator()(
-      const std::vector<std::string>& sets) const {
-    return by_sets_.at(sets);
-  }
-
- private:
-  std::map<std::vector<std::string>, std::shared_ptr<const scenario::Scenario>> by_sets_;
-};
 
 /// Every cell with the same seeds. False if it was given up.
 bool fly_all(const Spec& spec, std::span<const Cell> cells, const Load& load, const SearchRun& run,
              const std::function<void(const Result&)>& take) {
-  const Loaded loaded(spec, cells, load);
+  std::map<std::vector<std::string>, std::shared_ptr<const scenario::Scenario>> loaded;
   std::vector<Batch> batches;
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    if (loaded(sets_of(spec, cells[c])))
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto [known, is_new] = loaded.try_emplace(sets_of(spec, cells[c]));
+    try {
+      if (is_new)
+        known->second = load(known->first);
+    } catch (const ConfigError&) {  // it is not flown
+    }
+    if (known->second)
       batches.push_back({c, 0, spec.replicates});
+  }
+  const auto find = [&](const std::vector<std::string>& sets) { return loaded.at(sets); };
   bool whole = true;
-  Threads(spec, cells, loaded, run.workers, run.given_up).fly(batches, [&](Result&& result) {
+  Threads(spec, cells, find, run.workers, run.given_up).fly(batches, [&](Result&& result) {
     whole = result.flown.outcome != scenario::Outcome::stopped;
     if (!result.flown.fault.empty() && run.fault)
       run.fault(result.flown.fault, command_of(spec, cells[result.cell], result.flown.seed));
