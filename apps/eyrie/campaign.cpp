@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "arguments.hpp"
-#include "campaign/parts.hpp"
 #include "campaign/ranks.hpp"
 #include "campaigns.hpp"
 #include "command.hpp"

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "campaign/again.hpp"
-#include "campaign/compare.hpp"
 #include "campaign/parquet.hpp"
 #include "campaign/store.hpp"
+#include "campaign/summary.hpp"
 #include "campaign_page.hpp"
 #include "campaigns.hpp"
 #include "command.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "campaign/compare.hpp"
 #include "campaign/store.hpp"
+#include "campaign/summary.hpp"
 #include "record/story.hpp"
 
 namespace eyrie::app {

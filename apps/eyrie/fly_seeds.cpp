@@ -5,7 +5,7 @@
 
 #include "arguments.hpp"
 #include "campaign/in_order.hpp"
-#include "campaign/seed_table.hpp"
+#include "campaign/replicate.hpp"
 #include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"

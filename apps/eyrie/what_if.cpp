@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/in_order.hpp"
-#include "campaign/seed_table.hpp"
+#include "campaign/replicate.hpp"
 #include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"

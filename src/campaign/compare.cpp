@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/compare.hpp"
-
+/// \file  Cells against each other.
 #include <algorithm>
 #include <cmath>
 
@@ -19,12 +18,8 @@ void each_pair(Database& database, std::size_t one, std::size_t other, const Tak
   const int width = pairs.columns() / 2;
   std::vector<double> a, b;
   while (pairs.step()) {
-    a.clear();
-    b.clear();
-    for (int i = kFirstColumn; i < width; ++i) {
-      a.push_back(pairs.number(i));
-      b.push_back(pairs.number(width + i));
-    }
+    read_values(pairs, kFirstColumn, width, a);
+    read_values(pairs, width + kFirstColumn, 2 * width, b);
     use(a, b);
   }
 }
@@ -38,14 +33,10 @@ struct Pairs {
 
 /// A measure of a cell by itself.
 struct Alone {
+  Estimator sums;
   stats::Moments numbers{};  // of a ratio: of its linearization
-  stats::Share share{};
-  stats::Ratio ratio{};
 };
 
-bool is_known(const Measure& m, std::span<const double> values) {
-  return !std::isnan(values[m.column]) && (m.kind != Measure::ratio || !std::isnan(values[m.per]));
-}
 /// A replicate's part in a ratio, in the difference of which it stands for itself.
 double part_of(const stats::Ratio& ratio, const Measure& m, std::span<const double> values) {
   const double value = *ratio.value();
@@ -55,30 +46,27 @@ double part_of(const stats::Ratio& ratio, const Measure& m, std::span<const doub
 /// Every measure of a cell, faults left out.
 std::vector<Alone> alone(Database& database, const std::vector<Measure>& measures, std::size_t cell,
                          double confidence) {
-  std::vector<Alone> all(measures.size());
+  std::vector<Alone> all;
+  for (const Measure& m : measures)
+    all.push_back({Estimator(m)});
   const auto each = [&](const auto& use) {
     Statement replicates = database.prepare(
         "SELECT * FROM replicates WHERE cell = ? AND outcome <> 'fault' ORDER BY replicate");
     replicates.with(cell);
     std::vector<double> values;
     while (replicates.step()) {
-      values.clear();
-      for (int i = kFirstColumn; i < replicates.columns(); ++i)
-        values.push_back(replicates.number(i));
+      read_values(replicates, kFirstColumn, replicates.columns(), values);
       for (std::size_t i = 0; i < measures.size(); ++i)
-        if (is_known(measures[i], values))
+        if (measures[i].applies(values))
           use(measures[i], all[i], values);
     }
   };
-  each([](const Measure& m, Alone& of, std::span<const double> values) {
-    if (m.kind == Measure::ratio)
-      return of.ratio.add(values[m.column], values[m.per]);
-    of.numbers.add(values[m.column]);
-    of.share = {of.share.count + (values[m.column] != 0), of.share.n + 1};
-  });
-  each([&](const Measure& m, Alone& of, std::span<const double> values) {
-    if (m.kind == Measure::ratio && of.ratio.divides(confidence))
-      of.numbers.add(part_of(of.ratio, m, values));
+  each([](const Measure&, Alone& of, const auto& values) { of.sums.add(values); });
+  each([&](const Measure& m, Alone& of, const auto& values) {
+    if (m.kind != Measure::ratio)
+      of.numbers.add(values[m.column]);
+    else if (of.sums.ratio().divides(confidence))
+      of.numbers.add(part_of(of.sums.ratio(), m, values));
   });
   return all;
 }
@@ -93,9 +81,10 @@ std::vector<Comparison> compare_alone(std::span<const Measure> measures, std::sp
     Comparison c{.measure = i, .n = a.numbers.n(), .n_than = b.numbers.n()};
     const bool is_share = measures[i].kind == Measure::share;
     c.value = stats::mean_difference(a.numbers, b.numbers);
-    c.interval = is_share ? stats::newcombe(a.share, b.share, confidence)
+    c.interval = is_share ? stats::newcombe(a.sums.share(), b.sums.share(), confidence)
                           : stats::welch_interval(a.numbers, b.numbers, confidence);
-    c.p = is_share ? stats::fisher(a.share, b.share) : stats::welch_test(a.numbers, b.numbers);
+    c.p = is_share ? stats::fisher(a.sums.share(), b.sums.share())
+                   : stats::welch_test(a.numbers, b.numbers);
     all.push_back(c);
   }
   return all;
@@ -139,7 +128,7 @@ std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
   each([&](const auto& a, const auto& b) {
     for (std::size_t i = 0; i < measures.size(); ++i) {
       const Measure& m = measures[i];
-      if (!is_known(m, a) || !is_known(m, b))
+      if (!m.applies(a) || !m.applies(b))
         continue;
       Pairs& pairs = all[i];
       if (m.kind == Measure::ratio) {
@@ -165,7 +154,7 @@ std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
     each([&](const auto& a, const auto& b) {
       for (const std::size_t i : ratios) {
         const Measure& m = measures[i];
-        if (!is_known(m, a) || !is_known(m, b))
+        if (!m.applies(a) || !m.applies(b))
           continue;
         Pairs& pairs = all[i];
         pairs.differences.add(part_of(pairs.ratios[0], m, a) - part_of(pairs.ratios[1], m, b));

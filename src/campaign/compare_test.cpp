@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/compare.hpp"
+#include "campaign/summary.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "campaign/compare.hpp"
+#include "campaign/summary.hpp"
 
 namespace eyrie::campaign {
 namespace {

@@ -165,7 +165,6 @@ Ended run(const Spec& spec, std::span<const Cell> cells, Store& store, Crew& cre
     estimators[result.cell].add(result.values);
     ++standing.done;
     ++standing.now;
-    standing.faults += !result.flown.fault.empty();
     standing.cell = result.cell;
     standing.last = &result;
     standing.estimate = &estimators[result.cell];

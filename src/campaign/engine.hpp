@@ -93,7 +93,6 @@ struct Standing {
   std::uint64_t done = 0;               ///< replicates, of all sessions
   std::uint64_t most = 0;               ///< replicates there can be
   std::uint64_t now = 0;                ///< replicates of this session
-  std::uint64_t faults = 0;             ///< of this session
   std::uint64_t cell = 0;               ///< of the last one
   const Result* last = nullptr;         ///< that one, which is in the store
   const Estimator* estimate = nullptr;  ///< of the first measure, or that of the rule, in that cell

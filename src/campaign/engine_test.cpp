@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/parts.hpp"
+#include "campaign/store.hpp"
 #include "support/campaign/made_up.hpp"
 #include "support/program.hpp"
 

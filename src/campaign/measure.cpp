@@ -15,51 +15,37 @@
 namespace eyrie::campaign {
 namespace {
 
-/// What a measure may say besides `what`, and what it must.
-struct Words {
-  std::string_view may, must;
+/// What a measure may say besides `what`, and what it must; the SI unit of its column; and what is
+/// estimated from that.
+struct About {
+  std::string_view may, must = "", unit = "";
+  Measure::Kind kind = Measure::mean;
 };
-Words words_of(What what) {
-  switch (what) {
-    case What::outcome:
-      return {" is ", "is"};
-    case What::end_time:
-      return {};
-    case What::exchange_ratio:
-      return {" who ", "who"};
-    case What::time_in_phase:
-      return {" who phase ", "phase"};
-    case What::holds:
-      return {" if ", "if"};
-    case What::event:
-      return {" who whom event if take value ", "event"};
-    case What::decision:
-      return {" who node if take value ", "node"};
-    default:
-      return {" who ", {}};
-  }
-}
+constexpr About kAbout[] = {{" is ", "is", "", Measure::share},  // in the order of What
+                            {"", "", "s"},
+                            {" who "},
+                            {" who "},
+                            {" who "},
+                            {" who ", "", "", Measure::ratio},
+                            {" who ", "who", "", Measure::ratio},
+                            {" who phase ", "phase", "s"},
+                            {" who ", "", "kg"},
+                            {" who ", "", "bit"},
+                            {" who ", "", "bit"},
+                            {" if ", "if", "", Measure::share},
+                            {" who whom event if take value ", "event"},
+                            {" who node if take value ", "node"}};
+static_assert(std::size(kAbout) == enum_names<What>().size());
 
-std::string_view unit_of(const MeasureSpec& spec) {
-  switch (spec.what) {
-    case What::end_time:
-    case What::time_in_phase:
-      return "s";
-    case What::fuel_left:
-      return "kg";
-    case What::variety:
-    case What::motion_variety:
-      return "bit";
-    case What::event:
-    case What::decision:
-      return Query::unit(spec);
-    default:
-      return "";
-  }
+const About& about(const MeasureSpec& spec) {
+  return kAbout[static_cast<std::size_t>(spec.what)];
+}
+bool is_query(const MeasureSpec& spec) {
+  return spec.what == What::event || spec.what == What::decision;
 }
 
 void check(const MeasureSpec& spec, Diagnostics& diagnostics) {
-  const auto [may, must] = words_of(spec.what);
+  const auto& [may, must, unit, kind] = about(spec);
   for (const Value::Entry& e : spec.text.entries)
     if (e.key != "what" && may.find(fmt::format(" {} ", e.key)) == may.npos)
       diagnostics.error(e.where, "{}: '{}' says nothing of {}", spec.name, e.key,
@@ -73,7 +59,7 @@ void check(const MeasureSpec& spec, Diagnostics& diagnostics) {
                       spec.name);
   if (!must.empty() && !spec.text.find(must))
     diagnostics.error(spec.text.where, "{}: {} needs '{}'", spec.name, enum_name(spec.what), must);
-  else if (spec.what == What::event || spec.what == What::decision)
+  else if (is_query(spec))
     Query::check(spec, diagnostics);
 }
 
@@ -113,7 +99,7 @@ class Watcher final : public Watch {
       varieties_.emplace_back();
       if (spec.what == What::variety || spec.what == What::motion_variety)
         varieties_.back().emplace(flight_, who_.back(), spec.what == What::motion_variety);
-      if (spec.what == What::event || spec.what == What::decision)
+      if (is_query(spec))
         queries_.back().emplace(spec, flight_, wrong);
       if (spec.what == What::time_in_phase)
         check_phase(spec, wrong);
@@ -296,17 +282,11 @@ Measures read_measures(const Value& map, Diagnostics& diagnostics) {
     auto& condition = all.conditions.emplace_back();
     if (const Value* const text = e.value.find("if"); text && spec.what == What::holds)
       condition = condition_over(all.columns, *text, diagnostics);
-    const bool is_ratio = spec.what == What::shots_per_kill || spec.what == What::exchange_ratio;
-    const bool is_share =
-        spec.what == What::outcome || spec.what == What::holds ||
-        ((spec.what == What::event || spec.what == What::decision) && spec.take == Take::any);
-    Measure measure{e.key,
-                    is_ratio   ? Measure::ratio
-                    : is_share ? Measure::share
-                               : Measure::mean,
-                    all.columns.size()};
-    all.columns.push_back({is_ratio ? e.key + ".sum" : e.key, std::string(unit_of(spec))});
-    if (is_ratio) {
+    const auto kind = is_query(spec) && spec.take == Take::any ? Measure::share : about(spec).kind;
+    const auto unit = is_query(spec) ? Query::unit(spec) : about(spec).unit;
+    Measure measure{e.key, kind, all.columns.size()};
+    all.columns.push_back({kind == Measure::ratio ? e.key + ".sum" : e.key, std::string(unit)});
+    if (kind == Measure::ratio) {
       measure.per = all.columns.size();
       all.columns.push_back({e.key + ".per", ""});
     }
@@ -320,40 +300,27 @@ std::unique_ptr<Watch> watch(const Measures& measures, const scenario::Scenario&
   return std::make_unique<Watcher>(measures, scenario);
 }
 
-Estimator::Estimator(const Measure& measure) : column_(measure.column), per_(measure.per) {
-  if (measure.kind == Measure::mean)
-    sum_ = stats::Moments();
-  else if (measure.kind == Measure::ratio)
-    sum_ = stats::Ratio();
-}
-
 void Estimator::add(std::span<const double> values) {
-  if (values.empty() || std::isnan(values[column_]))
+  if (values.empty() || !measure_->applies(values))
     return;
-  const double value = values[column_];
-  if (auto* share = std::get_if<stats::Share>(&sum_)) {
-    share->count += value != 0;
-    ++share->n;
-  } else if (auto* moments = std::get_if<stats::Moments>(&sum_)) {
-    moments->add(value);
-  } else if (!std::isnan(values[per_])) {
-    std::get<stats::Ratio>(sum_).add(value, values[per_]);
-  }
+  const double value = values[measure_->column];
+  if (measure_->kind == Measure::ratio)
+    return ratio_.add(value, values[measure_->per]);
+  numbers_.add(value);
+  share_ = {share_.count + (value != 0), share_.n + 1};
 }
 
 Estimate Estimator::estimate(double confidence) const {
-  const auto of_several = [](std::uint64_t n, double error) {
-    return n > 1 ? std::optional(error) : std::nullopt;
+  const auto of = [](std::uint64_t n, std::optional<double> value, auto interval, double error) {
+    return Estimate{n, n ? value : std::nullopt, interval,
+                    value && n > 1 ? std::optional(error) : std::nullopt};
   };
-  if (const auto* share = std::get_if<stats::Share>(&sum_))
-    return {share->n, share->n ? std::optional(share->value()) : std::nullopt,
-            stats::wilson(*share, confidence), of_several(share->n, share->error())};
-  if (const auto* moments = std::get_if<stats::Moments>(&sum_))
-    return {moments->n(), moments->n() ? std::optional(moments->mean()) : std::nullopt,
-            stats::t_interval(*moments, confidence), of_several(moments->n(), moments->error())};
-  const auto& ratio = std::get<stats::Ratio>(sum_);
-  return {ratio.n(), ratio.value(), ratio.fieller(confidence),
-          ratio.value() ? of_several(ratio.n(), ratio.error()) : std::nullopt};
+  if (measure_->kind == Measure::ratio)
+    return of(ratio_.n(), ratio_.value(), ratio_.fieller(confidence), ratio_.error());
+  if (measure_->kind == Measure::mean)
+    return of(numbers_.n(), numbers_.mean(), stats::t_interval(numbers_, confidence),
+              numbers_.error());
+  return of(share_.n, share_.value(), stats::wilson(share_, confidence), share_.error());
 }
 
 }  // namespace eyrie::campaign

@@ -2,7 +2,7 @@
 #pragma once
 /// \file  What is counted and measured of each flight of a campaign, what the replicates say about
 /// it, and how sure that is.
-#include <variant>
+#include <cmath>
 
 #include "core/describe.hpp"
 #include "core/value.hpp"
@@ -26,6 +26,11 @@ struct Measure {
     ratio,  ///< the sum of `column` over the sum of `per`
   } kind = mean;
   std::size_t column = 0, per = 0;
+
+  /// To a replicate with these values by column.
+  [[nodiscard]] bool applies(std::span<const double> values) const {
+    return !std::isnan(values[column]) && (kind != ratio || !std::isnan(values[per]));
+  }
 };
 constexpr auto names_of(Measure::Kind) {
   return names_from_zero<Measure::Kind>("share", "mean", "ratio");
@@ -119,15 +124,21 @@ struct Estimate {
 /// Takes the replicates of a cell one by one. The same ones in the same order give the same bits.
 class Estimator {
  public:
-  explicit Estimator(const Measure& measure);
+  /// The measure must outlive it.
+  explicit Estimator(const Measure& measure) : measure_(&measure) {}
   /// The values of a replicate by column; those of one that has none are left out.
   void add(std::span<const double> values);
   /// Shares have Wilson's interval, means Student's, ratios Fieller's.
   [[nodiscard]] Estimate estimate(double confidence = 0.95) const;
+  // what was added, as the kind of the measure wants it
+  [[nodiscard]] const stats::Share& share() const { return share_; }
+  [[nodiscard]] const stats::Ratio& ratio() const { return ratio_; }
 
  private:
-  std::size_t column_, per_;
-  std::variant<stats::Share, stats::Moments, stats::Ratio> sum_;
+  const Measure* measure_;
+  stats::Share share_;
+  stats::Moments numbers_;
+  stats::Ratio ratio_;
 };
 
 }  // namespace eyrie::campaign

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/origin.hpp"
-
+/// \file  What a campaign was begun with, against what it would go on with.
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "campaign/store.hpp"
 #include "core/text.hpp"
 #include "core/yaml.hpp"
-#include "disk/output.hpp"
 
 namespace eyrie::campaign {
 namespace {

@@ -6,17 +6,18 @@
 
 #include <cstdio>
 #include <memory>
-#include <set>
-
-#include "campaign/store.hpp"
 
 namespace eyrie::campaign {
 namespace {
 
-bool has_texts(Database& database, const std::string& factor) {
-  Statement texts = database.prepare(
-      fmt::format("SELECT 1 FROM cells WHERE typeof({}) = 'text' LIMIT 1", sql_name(factor)));
-  return texts.step();
+/// "'name': 'TYPE'" in DuckDB's words for each column of a table from the one numbered `first` on.
+void add_columns(Database& database, const char* table, int first, std::vector<std::string>& all) {
+  Statement columns = database.prepare(
+      "SELECT name, CASE type WHEN 'INTEGER' THEN 'BIGINT' WHEN 'TEXT' THEN 'VARCHAR' ELSE "
+      "'DOUBLE' END FROM pragma_table_info(?) WHERE cid >= ?");
+  columns.with(std::string_view(table), std::int64_t{first});
+  while (columns.step())
+    all.push_back(fmt::format("{}: '{}'", sql_name(columns.text(0), '\''), columns.text(1)));
 }
 
 /// Every text in quotation marks, so that one of no letters is not nothing. False if it fails.
@@ -105,19 +106,9 @@ void Parquet::run(const std::string& sql) {
 }
 
 void Parquet::write(Database& database, disk::OutputFile& file) {
-  static const std::set<std::string_view> kIntegers{"cell", "replicate", "seed", "steps"},
-      kTexts{"outcome", "hash"};
   std::vector<std::string> columns{"'cell': 'BIGINT'"};
-  for (const std::string& factor : columns_of(database, "cells", 2))
-    columns.push_back(fmt::format("{}: '{}'", sql_name(factor, '\''),
-                                  has_texts(database, factor) ? "VARCHAR" : "DOUBLE"));
-  for (int i = 1; const std::string& name : columns_of(database, "replicates", 1)) {
-    const bool own = i++ < kFirstColumn;
-    columns.push_back(fmt::format("{}: '{}'", sql_name(name, '\''),
-                                  own && kIntegers.contains(name) ? "BIGINT"
-                                  : own && kTexts.contains(name)  ? "VARCHAR"
-                                                                  : "DOUBLE"));
-  }
+  add_columns(database, "cells", 2, columns);
+  add_columns(database, "replicates", 1, columns);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> table(std::tmpfile(), std::fclose);
   if (!table || !write_rows(database, table.get()))
     throw disk::Failed("no {}: no room for the table it is made of", kParquetName);

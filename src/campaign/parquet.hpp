@@ -3,12 +3,9 @@
 /// \file  The table of the results as Parquet, by DuckDB's library where that is installed.
 #include <memory>
 
-#include "disk/output.hpp"
-#include "sql/database.hpp"
+#include "campaign/store.hpp"
 
 namespace eyrie::campaign {
-
-using sql::Database, sql::Statement, sql::sql_name;
 
 inline constexpr const char* kParquetName = "results.parquet";
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/parts.hpp"
-
+/// \file  The folders of the parts of a campaign.
 #include <charconv>
 #include <filesystem>
 
+#include "campaign/store.hpp"
 #include "core/diagnostics.hpp"
 
 namespace eyrie::campaign {

@@ -30,10 +30,8 @@ constexpr std::array kOfPlayer = [] {
 }();
 
 model::EventKind kind_named(std::string_view name) {
-  for (std::uint16_t k = 1; k < static_cast<std::uint16_t>(model::EventKind::count); ++k)
-    if (model::event_name(static_cast<model::EventKind>(k)) == name)
-      return static_cast<model::EventKind>(k);
-  return model::EventKind::none;
+  const auto found = std::ranges::find(model::event_infos(), name, &model::EventInfo::name);
+  return found == model::event_infos().end() ? model::EventKind::none : found->kind;
 }
 
 /// The values of a kind of event that are numbers, or words with a number of their own.
@@ -187,10 +185,8 @@ PlayerId Flight::player(PlayerId id) const {
 
 void Query::check(const MeasureSpec& spec, Diagnostics& diagnostics) {
   if (spec.what == What::event && kind_named(spec.event) == model::EventKind::none) {
-    std::vector<std::string_view> names;
-    for (std::uint16_t k = 1; k < static_cast<std::uint16_t>(model::EventKind::count); ++k)
-      names.push_back(model::event_name(static_cast<model::EventKind>(k)));
-    const std::string hint = did_you_mean(spec.event, names);
+    const std::string hint =
+        did_you_mean(spec.event, listed(model::event_infos(), &model::EventInfo::name));
     diagnostics.error(spec.text.where_of("event"), "{}: there is no event {}{}", spec.name,
                       quote(spec.event),
                       hint.empty() ? "; 'eyrie catalog --events' tells which there are" : hint);

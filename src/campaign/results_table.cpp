@@ -17,6 +17,12 @@ std::vector<std::string> columns_of(Database& database, std::string_view table, 
   return names;
 }
 
+void read_values(const Statement& row, int first, int end, std::vector<double>& values) {
+  values.clear();
+  for (int i = first; i < end; ++i)
+    values.push_back(row.number(i));
+}
+
 Statement replicate_rows(Database& database) {
   std::string columns = "r.cell";
   for (const std::string& name : columns_of(database, "cells", 2))

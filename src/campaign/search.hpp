@@ -7,8 +7,8 @@
 /// stands in a campaign file in the place of `design` and `stop`; `replicates` is how many flights
 /// each candidate makes.
 #include "campaign/cma_es.hpp"
-#include "campaign/compare.hpp"
 #include "campaign/engine.hpp"
+#include "campaign/summary.hpp"
 
 namespace eyrie::campaign {
 

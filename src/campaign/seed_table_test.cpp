@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/seed_table.hpp"
+#include "campaign/replicate.hpp"
 
 #include <gtest/gtest.h>
 

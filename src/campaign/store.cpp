@@ -70,9 +70,11 @@ std::string_view type_of_factor(Database& database, std::span<const Cell> cells,
       return "TEXT";
   return "NUMERIC";
 }
-/// "(?, ?, ?)"
-std::string places(std::size_t n) {
-  return fmt::format("({})", fmt::join(std::vector<std::string_view>(n, "?"), ", "));
+/// Takes rows of `n` values; `how` may be "INSERT OR IGNORE".
+Statement insert_into(Database& database, std::string_view table, std::size_t n,
+                      std::string_view how = "INSERT") {
+  return database.prepare(fmt::format("{} INTO {} VALUES ({})", how, table,
+                                      fmt::join(std::vector<std::string_view>(n, "?"), ", ")));
 }
 
 std::uint64_t hash_of(const std::string& text) {
@@ -224,9 +226,8 @@ Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> 
   }
   before_ = seconds_in(*database_);
   count();
-  put_ = database_->prepare("INSERT INTO replicates VALUES " +
-                            places(kFirstColumn + spec_.measures.columns.size()));
-  put_fault_ = database_->prepare("INSERT INTO faults VALUES " + places(5));
+  put_ = insert_into(*database_, "replicates", kFirstColumn + spec_.measures.columns.size());
+  put_fault_ = insert_into(*database_, "faults", 5);
 }
 
 Store::~Store() {
@@ -253,38 +254,29 @@ void Store::make_tables(const Origin& origin) {
   set("name", spec_.name);
   set("scenario", spec_.scenario);
   set("seconds", "0");
-  const auto fill = [&](const char* table, std::size_t n, const auto& rows) {
-    Statement put = db.prepare(fmt::format("INSERT INTO {} VALUES {}", table, places(n)));
-    rows(put);
-  };
-  fill("origin", 2, [&](Statement& put) {
-    for (const auto& [name, text] : origin)
-      put.with(name, text).step();
-  });
-  fill("factors", 2, [&](Statement& put) {
-    for (std::size_t i = 0; i < factors.size(); ++i)
-      put.with(i, factors[i]).step();
-  });
-  fill("columns", 2, [&](Statement& put) {
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      put.with(columns[i], spec_.measures.columns[i].unit).step();
-  });
-  fill("measures", 5, [&](Statement& put) {
-    for (std::size_t i = 0; i < spec_.measures.estimates.size(); ++i) {
-      const Measure& m = spec_.measures.estimates[i];
-      put.with(i, m.name, enum_name(m.kind), columns[m.column],
-               m.kind == Measure::ratio ? columns[m.per] : "")
-          .step();
-    }
-  });
-  fill("cells", 2 + factors.size(), [&](Statement& put) {
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      put.with(i, command_of(spec_, cells_[i]));
-      for (std::size_t f = 0; f < factors.size(); ++f)
-        put.bind(static_cast<int>(3 + f), cells_[i].values[f]);
-      put.step();
-    }
-  });
+  Statement put = insert_into(db, "origin", 2);
+  for (const auto& [name, text] : origin)
+    put.with(name, text).step();
+  put = insert_into(db, "factors", 2);
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    put.with(i, factors[i]).step();
+  put = insert_into(db, "columns", 2);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    put.with(columns[i], spec_.measures.columns[i].unit).step();
+  put = insert_into(db, "measures", 5);
+  for (std::size_t i = 0; i < spec_.measures.estimates.size(); ++i) {
+    const Measure& m = spec_.measures.estimates[i];
+    put.with(i, m.name, enum_name(m.kind), columns[m.column],
+             m.kind == Measure::ratio ? columns[m.per] : "")
+        .step();
+  }
+  put = insert_into(db, "cells", 2 + factors.size());
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    put.with(i, command_of(spec_, cells_[i]));
+    for (std::size_t f = 0; f < factors.size(); ++f)
+      put.bind(static_cast<int>(3 + f), cells_[i].values[f]);
+    put.step();
+  }
   set("design", hash_text(hash_of_design(db)));
   db.run("COMMIT");
 }
@@ -309,9 +301,8 @@ void Store::join(std::span<const std::string> folders) {
     before_ += seconds_in(part);
     for (const char* table : {"replicates", "faults"}) {
       Statement rows = part.prepare(fmt::format("SELECT * FROM {}", table));
-      Statement copy =
-          database_->prepare(fmt::format("INSERT OR IGNORE INTO {} VALUES {}", table,
-                                         places(static_cast<std::size_t>(rows.columns()))));
+      Statement copy = insert_into(*database_, table, static_cast<std::size_t>(rows.columns()),
+                                   "INSERT OR IGNORE");
       while (rows.step())
         copy.with_row(rows).step();
     }

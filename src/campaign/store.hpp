@@ -4,19 +4,36 @@
 /// into it when the process is killed. docs/campaigns.md has its tables.
 #include <chrono>
 #include <functional>
+#include <map>
 
-#include "campaign/origin.hpp"
 #include "campaign/replicate.hpp"
-#include "disk/file_system.hpp"
+#include "campaign/spec.hpp"
 #include "disk/output.hpp"
+#include "sql/database.hpp"
 
 namespace eyrie::campaign {
+
+using sql::Database, sql::Statement, sql::sql_name;
 
 inline constexpr const char* kStoreName = "results.db";
 inline constexpr const char* kTableName = "results.csv";
 inline constexpr const char* kPartName = "part_";  ///< so begin the folders of parts
 /// In the table `replicates`: the first column of what is measured.
 inline constexpr int kFirstColumn = 7;
+
+/// What a campaign is flown with: every file by its name, with its text or what stands for it.
+using Origin = std::map<std::string, std::string>;
+inline constexpr const char* kCampaignText = "the campaign";  ///< name of its file in there
+inline constexpr const char* kProgramText = "the program";    ///< and of its version
+/// That of a part of a campaign.
+[[nodiscard]] Origin origin_of(Origin whole, const Part& part);
+/// Throws disk::Refused with the differences if the campaign in `folder` was begun with another
+/// origin: one of which what was flown is not the beginning. More replicates of each cell, or a
+/// larger budget, are no difference.
+void demand_the_same(Database& database, const Origin& origin, const std::string& folder);
+
+/// Whether a database has results; who was killed before it was begun has left no tables.
+[[nodiscard]] bool begun(Database& database);
 
 /// What came of a replicate. It depends on the campaign, the cell and the replicate alone.
 struct Result {
@@ -90,9 +107,25 @@ void demand_unchanged(Database& database, const std::string& file);
 /// The same, once for a command: throws disk::Refused also if somebody has changed the results.
 void check_results(const std::string& folder);
 
+// A campaign is also flown in parts, each into a folder of its own by a process that knows nothing
+// of the others, until they are joined.
+
+/// "DIR/part_3_of_16"
+[[nodiscard]] std::string part_folder(const std::string& folder, const Part& part);
+/// Of how many parts there are some in this folder; 0: there is none. Throws disk::Refused if they
+/// are of different numbers.
+[[nodiscard]] std::uint64_t parts_in(const std::string& folder);
+/// The folders of all parts, for Store::join. Throws disk::Refused that names those which have not
+/// flown all, or if one was begun with another origin.
+[[nodiscard]] std::vector<std::string> whole_parts(const std::string& folder, const Spec& spec,
+                                                   std::size_t cells, const Origin& origin);
+
 /// The columns of a table from the one numbered `first` on.
 [[nodiscard]] std::vector<std::string> columns_of(Database& database, std::string_view table,
                                                   int first);
+
+/// The numbers in the columns [first, end) of a row.
+void read_values(const Statement& row, int first, int end, std::vector<double>& values);
 
 /// results.csv in a folder, to be written; throws if it cannot be.
 [[nodiscard]] disk::OutputFile table_in(const std::string& folder);

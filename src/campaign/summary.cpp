@@ -36,8 +36,6 @@ Summary read_summary(const std::string& folder, double confidence) {
   Statement said = database.prepare("SELECT name, value FROM campaign");
   while (said.step()) {
     const std::string key = said.text(0);
-    if (key == "seconds")
-      summary.seconds = said.number(1);
     for (const auto& [name, text] : {std::pair{"name", &summary.name},
                                      {"scenario", &summary.scenario},
                                      {"hash", &summary.hash},
@@ -72,9 +70,7 @@ Summary read_summary(const std::string& folder, double confidence) {
         ++cell.faults;
         continue;
       }
-      values.clear();
-      for (int i = kFirstColumn; i < all.columns(); ++i)
-        values.push_back(all.number(i));
+      read_values(all, kFirstColumn, all.columns(), values);
       for (Estimator& estimator : estimators)
         estimator.add(values);
     }
