@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include "campaign/again.hpp"
-#include "campaign/parquet.hpp"
 #include "campaign/store.hpp"
 #include "campaign/summary.hpp"
 #include "campaign_page.hpp"
@@ -180,9 +179,9 @@ Statement prepared(Database& database, const std::string& sql) {
 }  // namespace
 
 int campaign_report(const CampaignReportOptions& options) {
-  std::optional<Parquet> parquet;
+  WriteParquet parquet;
   if (options.parquet)
-    parquet.emplace(duckdb_library());
+    parquet = open_parquet(duckdb_library());
   check_results(options.folder);
   const Summary summary = read_summary(options.folder);
   listen_for_interrupts();
@@ -227,7 +226,7 @@ int campaign_report(const CampaignReportOptions& options) {
   if (options.out.empty())  // a page elsewhere leaves the folder as it is: it may be read-only
     write_table(database, options.folder);
   if (parquet)
-    parquet->write(database, *columns);
+    parquet(database, *columns);
   return 0;
 }
 

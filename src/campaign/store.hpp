@@ -17,6 +17,7 @@ using sql::Database, sql::Statement, sql::sql_name;
 
 inline constexpr const char* kStoreName = "results.db";
 inline constexpr const char* kTableName = "results.csv";
+inline constexpr const char* kParquetName = "results.parquet";
 inline constexpr const char* kPartName = "part_";  ///< so begin the folders of parts
 /// In the table `replicates`: the first column of what is measured.
 inline constexpr int kFirstColumn = 7;
@@ -131,9 +132,14 @@ void read_values(const Statement& row, int first, int end, std::vector<double>& 
 [[nodiscard]] disk::OutputFile table_in(const std::string& folder);
 /// results.csv in the folder of the database: a row per replicate with the values of its cell.
 void write_table(Database& database, const std::string& folder);
-/// Each replicate with the factors of its cell: cell, factors, and the columns of `replicates`.
-[[nodiscard]] Statement replicate_rows(Database& database);
 /// What a statement gives, as CSV: lines with their ends, the names of the columns first.
 void write_csv(Statement& rows, const std::function<void(const std::string&)>& use);
+
+/// Writes the rows and columns of results.csv as Parquet, by DuckDB's library: cell, replicate,
+/// seed and steps are integers, outcome, hash and factors that are no numbers texts, everything
+/// else doubles; NULL where nothing applies. Throws disk::Failed. `library` is a file, or a name
+/// that the system looks for: throws disk::Refused if it cannot be opened, and says how to get it.
+using WriteParquet = std::function<void(Database& database, disk::OutputFile& file)>;
+[[nodiscard]] WriteParquet open_parquet(const std::string& library);
 
 }  // namespace eyrie::campaign
