@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file  Cells against each other.
 #include <algorithm>
-#include <cmath>
 
 #include "campaign/store.hpp"
+#include "campaign/summary.hpp"
 
 namespace eyrie::campaign {
 namespace {
@@ -44,8 +44,8 @@ double part_of(const stats::Ratio& ratio, const Measure& m, std::span<const doub
 }
 
 /// Every measure of a cell, faults left out.
-std::vector<Alone> alone(Database& database, const std::vector<Measure>& measures, std::size_t cell,
-                         double confidence) {
+std::vector<Alone> alone(Database& database, const std::vector<Measure>& measures,
+                         std::size_t cell) {
   std::vector<Alone> all;
   for (const Measure& m : measures)
     all.push_back({Estimator(m)});
@@ -62,17 +62,17 @@ std::vector<Alone> alone(Database& database, const std::vector<Measure>& measure
     }
   };
   each([](const Measure&, Alone& of, const auto& values) { of.sums.add(values); });
-  each([&](const Measure& m, Alone& of, const auto& values) {
+  each([](const Measure& m, Alone& of, const auto& values) {
     if (m.kind != Measure::ratio)
       of.numbers.add(values[m.column]);
-    else if (of.sums.ratio().divides(confidence))
+    else if (of.sums.ratio().divides())
       of.numbers.add(part_of(of.sums.ratio(), m, values));
   });
   return all;
 }
 
 std::vector<Comparison> compare_alone(std::span<const Measure> measures, std::span<const Alone> one,
-                                      std::span<const Alone> other, double confidence) {
+                                      std::span<const Alone> other) {
   std::vector<Comparison> all;
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const Alone &a = one[i], &b = other[i];
@@ -81,8 +81,8 @@ std::vector<Comparison> compare_alone(std::span<const Measure> measures, std::sp
     Comparison c{.measure = i, .n = a.numbers.n(), .n_than = b.numbers.n()};
     const bool is_share = measures[i].kind == Measure::share;
     c.value = stats::mean_difference(a.numbers, b.numbers);
-    c.interval = is_share ? stats::newcombe(a.sums.share(), b.sums.share(), confidence)
-                          : stats::welch_interval(a.numbers, b.numbers, confidence);
+    c.interval = is_share ? stats::newcombe(a.sums.share(), b.sums.share())
+                          : stats::welch_interval(a.numbers, b.numbers);
     c.p = is_share ? stats::fisher(a.sums.share(), b.sums.share())
                    : stats::welch_test(a.numbers, b.numbers);
     all.push_back(c);
@@ -90,15 +90,14 @@ std::vector<Comparison> compare_alone(std::span<const Measure> measures, std::sp
   return all;
 }
 
-Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double confidence) {
+Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind) {
   c.n = pairs.differences.n();
   c.value = stats::mean_difference(pairs.differences);
   if (kind == Measure::share) {
-    c.interval =
-        stats::newcombe_paired(pairs.both, pairs.only_one, pairs.only_other, c.n, confidence);
+    c.interval = stats::newcombe_paired(pairs.both, pairs.only_one, pairs.only_other, c.n);
     c.p = stats::mcnemar(pairs.only_one, pairs.only_other);
   } else {
-    c.interval = stats::t_interval(pairs.differences, confidence);
+    c.interval = stats::t_interval(pairs.differences);
     c.p = stats::t_test(pairs.differences);
   }
   return c;
@@ -122,8 +121,7 @@ void correct(std::vector<Comparison>& comparisons, std::size_t measures) {
 }  // namespace
 
 std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
-                                      const std::function<void(const TakePair&)>& each,
-                                      double confidence) {
+                                      const std::function<void(const TakePair&)>& each) {
   std::vector<Pairs> all(measures.size());
   each([&](const auto& a, const auto& b) {
     for (std::size_t i = 0; i < measures.size(); ++i) {
@@ -142,13 +140,10 @@ std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
       pairs.only_other += a[m.column] == 0 && b[m.column] != 0;
     }
   });
-  const auto has_ratio = [&](std::size_t i) {
-    return measures[i].kind == Measure::ratio && all[i].ratios[0].divides(confidence) &&
-           all[i].ratios[1].divides(confidence);
-  };
   std::vector<std::size_t> ratios;
   for (std::size_t i = 0; i < measures.size(); ++i)
-    if (has_ratio(i))
+    if (measures[i].kind == Measure::ratio &&
+        std::ranges::all_of(all[i].ratios, [](const stats::Ratio& r) { return r.divides(); }))
       ratios.push_back(i);
   if (!ratios.empty())  // now that both ratios are known, each replicate's part in their difference
     each([&](const auto& a, const auto& b) {
@@ -163,25 +158,24 @@ std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
   std::vector<Comparison> comparisons;
   for (std::size_t i = 0; i < measures.size(); ++i)
     if (all[i].differences.n() > 1)
-      comparisons.push_back(compared(all[i], {.measure = i}, measures[i].kind, confidence));
+      comparisons.push_back(compared(all[i], {.measure = i}, measures[i].kind));
   return comparisons;
 }
 
 std::vector<Comparison> compare(const std::string& folder, const Summary& summary,
-                                std::optional<std::size_t> measure, double confidence) {
+                                std::optional<std::size_t> measure) {
   constexpr std::size_t kAllPairs = 6;
   Database database = open_results(folder);
   std::vector<Comparison> all;
   const std::size_t n = summary.cells.size();
   std::vector<std::vector<Alone>> cells;
   for (std::size_t cell = 0; cell < (summary.paired ? 0 : n); ++cell)
-    cells.push_back(alone(database, summary.measures, cell, confidence));
+    cells.push_back(alone(database, summary.measures, cell));
   const auto comparisons = [&](std::size_t cell, std::size_t than) {
     if (!summary.paired)
-      return compare_alone(summary.measures, cells[cell], cells[than], confidence);
-    return compare_pairs(
-        summary.measures, [&](const TakePair& use) { each_pair(database, cell, than, use); },
-        confidence);
+      return compare_alone(summary.measures, cells[cell], cells[than]);
+    return compare_pairs(summary.measures,
+                         [&](const TakePair& use) { each_pair(database, cell, than, use); });
   };
   for (std::size_t than = 0; than < (measure || n <= kAllPairs ? n : 1); ++than)
     for (std::size_t cell = than + 1; cell < n; ++cell)

@@ -8,8 +8,6 @@
 namespace eyrie::campaign {
 namespace {
 
-constexpr std::string_view kFaultsKept = "100";
-
 void read_measures(Database& database, const std::vector<std::string>& columns, Summary& summary) {
   const auto index = [&](const std::string& name) {
     const auto found = std::ranges::find(columns, name);
@@ -78,8 +76,7 @@ Summary read_summary(const std::string& folder, double confidence) {
       cell.estimates.push_back(estimator.estimate(confidence));
   }
   Statement faults = database.prepare(
-      fmt::format("SELECT cell, seed, what, command FROM faults ORDER BY cell, replicate LIMIT {}",
-                  kFaultsKept));
+      "SELECT cell, seed, what, command FROM faults ORDER BY cell, replicate LIMIT 100");
   while (faults.step())
     summary.faults.push_back({static_cast<std::uint64_t>(faults.integer(0)),
                               static_cast<std::uint64_t>(faults.integer(1)), faults.text(2),

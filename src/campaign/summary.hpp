@@ -56,14 +56,12 @@ using TakePair =
 /// Of all measures that have a comparison, in their order. `each` gives every pair, and is asked
 /// again if there are ratios.
 [[nodiscard]] std::vector<Comparison> compare_pairs(
-    std::span<const Measure> measures, const std::function<void(const TakePair&)>& each,
-    double confidence = 0.95);
+    std::span<const Measure> measures, const std::function<void(const TakePair&)>& each);
 
 /// Of one measure for all pairs of cells; of every measure if none is given, and then for all pairs
 /// if there are at most 6 cells, else of each cell with the first.
 [[nodiscard]] std::vector<Comparison> compare(const std::string& folder, const Summary& summary,
-                                              std::optional<std::size_t> measure = {},
-                                              double confidence = 0.95);
+                                              std::optional<std::size_t> measure = {});
 
 /// What the levels of a factor do to a measure, over all cells that have it.
 struct Effect {
