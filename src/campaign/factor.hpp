@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A factor of a campaign: something of the scenario that differs between its cells.
-///
-///   factors:
-///     bingo: {path: blue.flights.eagle.bingo, values: [1800 kg, 2200 kg]}
-///     start: {path: [a.b, c.d], values: {near: 40 nmi, far: 90 nmi}}
-///     tree: {levels: {wta: blue.flights.eagle.tree=wta, fusion: [x=1, y=2]}}
-///     speed: {path: p, values: !uniform {low: 400 kt, high: 600 kt}}
-///
-/// Levels may have names of their own, and set several paths. `values` may also be `!choice [..]`,
-/// which is a list, `!range {from: 1 nmi, to: 4 nmi, count: 4}`, `!log_uniform {low: .., high: ..}`
-/// and `!normal {mean: .., deviation: ..}`.
+/// docs/campaigns.md has the format.
 #include <cstdint>
 #include <optional>
 #include <set>

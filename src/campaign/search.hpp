@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  A search for the values of a campaign's factors with which a measure is best.
-///
-///   optimize: {measure: exchange, goal: maximize, generations: 40, proof: 500}
-///
-/// stands in a campaign file in the place of `design` and `stop`; `replicates` is how many flights
-/// each candidate makes.
+/// \file  A search for the values of a campaign's factors with which a measure is best: in its file
+/// `optimize` stands in the place of `design` and `stop`, and `replicates` is how many flights each
+/// candidate makes.
 #include "campaign/cma_es.hpp"
 #include "campaign/engine.hpp"
 #include "campaign/summary.hpp"
