@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "commands.hpp"
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
 #include "dis/station.hpp"
@@ -30,16 +29,6 @@ std::function<std::string(std::string&)> whole_number(std::uint64_t least, std::
     text = std::to_string(*value);
     return std::string{};
   };
-}
-
-std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(std::string_view text,
-                                                                   std::string_view between) {
-  const std::size_t at = text.find(between);
-  if (at == text.npos)
-    return std::nullopt;
-  const auto one = number_from<std::uint64_t>(text.substr(0, at));
-  const auto other = number_from<std::uint64_t>(text.substr(at + between.size()));
-  return one && other ? std::optional(std::pair(*one, *other)) : std::nullopt;
 }
 
 std::string address(const std::string& text) {

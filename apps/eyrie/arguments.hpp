@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,9 +14,6 @@ namespace eyrie::app {
 /// Of a text, which it writes without leading zeros: they are read as octal later.
 [[nodiscard]] std::function<std::string(std::string&)> whole_number(
     std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
-/// "1..500" with ".." between them; nothing if it is anything else.
-[[nodiscard]] std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(
-    std::string_view text, std::string_view between);
 /// Of this machine.
 [[nodiscard]] std::string address(const std::string& text);
 /// Where to listen.

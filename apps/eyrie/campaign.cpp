@@ -2,7 +2,6 @@
 /// \file  campaign: many flights of one scenario, as a file says, into a folder of results.
 #include <filesystem>
 
-#include "arguments.hpp"
 #include "campaign/ranks.hpp"
 #include "campaigns.hpp"
 #include "command.hpp"
@@ -21,17 +20,10 @@ using namespace campaign;
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Spec& spec, const Result& r) {
-  Json json{{"cell", r.cell},
-            {"replicate", r.replicate},
-            {"seed", r.flown.seed},
-            {"outcome", enum_name(r.flown.outcome)},
-            {"time_s", r.flown.time},
-            {"steps", r.flown.steps},
-            {"hash", hash_text(r.flown.hash)}};
+  Json json{{"cell", r.cell}, {"replicate", r.replicate}}, values = Json::object();
   for (std::size_t i = 0; i < r.values.size(); ++i)
-    json["values"][spec.measures.columns[i].name] = r.values[i];
-  if (!r.flown.fault.empty())
-    json["fault"] = r.flown.fault;
+    values["values"][spec.measures.columns[i].name] = r.values[i];
+  json.update(flown_json(r.flown, values));
   return json;
 }
 
@@ -164,8 +156,7 @@ int campaign(const CampaignOptions& options) {
                                  estimate_text(standing.estimate->estimate(), measure.kind)));
     });
   }
-  constexpr std::array kEnds{"complete", "interrupted", "at the end of its budget"};
-  const char* const end = kEnds[static_cast<std::size_t>(ended)];
+  const std::string end(enum_name(ended));
   store.finish(options.part.empty() ? end : fmt::format("part {}, {}", options.part, end));
   const std::string log = fmt::format("{}/{}-wal", folder, kStoreName);
   if (std::error_code none; std::filesystem::exists(log, none))

@@ -56,6 +56,19 @@ void print_effects(const campaign::Summary& summary, const std::vector<campaign:
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json();
 }
 
+/// A flight of many, with `more` between how it ended and its fault.
+[[nodiscard]] inline nlohmann::ordered_json flown_json(const campaign::Flown& flown,
+                                                       const nlohmann::ordered_json& more) {
+  nlohmann::ordered_json json{{"seed", flown.seed},
+                              {"outcome", enum_name(flown.outcome)},
+                              {"time_s", flown.time},
+                              {"steps", flown.steps},
+                              {"hash", hash_text(flown.hash)}};
+  json.update(more);
+  if (!flown.fault.empty())
+    json["fault"] = flown.fault;
+  return json;
+}
 [[nodiscard]] inline nlohmann::ordered_json side_json(const record::Tally::OfSide& s) {
   return {{"losses", s.losses}, {"shots", s.shots}, {"kills", s.kills}, {"home", s.home}};
 }

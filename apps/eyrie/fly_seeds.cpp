@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "arguments.hpp"
 #include "campaign/in_order.hpp"
 #include "campaign/replicate.hpp"
 #include "campaigns.hpp"
@@ -12,7 +11,6 @@
 #include "record/json_text.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
-#include "scenario/plugin_file.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -24,7 +22,8 @@ using Json = nlohmann::ordered_json;
 /// First and last: "1..500", or "500", which is the same.
 std::pair<std::uint64_t, std::uint64_t> range_of(const std::string& text) {
   constexpr std::uint64_t kMost = 1'000'000;
-  const auto range = two_numbers(text.find("..") == text.npos ? "1.." + text : text, "..");
+  const auto range =
+      campaign::two_numbers(text.find("..") == text.npos ? "1.." + text : text, "..");
   if (!range || range->second < range->first)
     refuse("--seeds: '{}' is no range of seeds such as 1..500", text);
   if (range->second - range->first >= kMost)
@@ -42,19 +41,6 @@ std::string command_for(const FlyOptions& options, std::uint64_t seed) {
                                                   {"--plugin", options.plugins},
                                                   {"--allow-include", options.includes},
                                                   {"--until", until}});
-}
-
-Json json_of(const SeedFlown& flown) {
-  Json json{{"seed", flown.seed},
-            {"outcome", enum_name(flown.outcome)},
-            {"time_s", flown.time},
-            {"steps", flown.steps},
-            {"hash", hash_text(flown.hash)},
-            {"blue", side_json(flown.blue)},
-            {"red", side_json(flown.red)}};
-  if (!flown.fault.empty())
-    json["fault"] = flown.fault;
-  return json;
 }
 
 /// Calls `use` for every outcome that came.
@@ -141,7 +127,9 @@ int fly_seeds(const FlyOptions& options, const std::shared_ptr<const scenario::S
           if (!flown.fault.empty() && faults++ == 0)
             first_fault = fmt::format("seed {}: {}", flown.seed, flown.fault);
           if (options.json)
-            say("{}\n", Composed{record::json_text(json_of(flown))});
+            say("{}\n",
+                Composed{record::json_text(flown_json(
+                    flown, {{"blue", side_json(flown.blue)}, {"red", side_json(flown.red)}}))});
           progress.at(seeds.flown());
           return !options.json || lost_output() == 0;
         });

@@ -111,11 +111,6 @@ class WayWatcher final : public sim::Observer {
   std::vector<record::Pose> last_;
 };
 
-struct FlownWays {
-  std::uint64_t hash = 0;
-  std::vector<Way> ways;
-};
-
 constexpr const char* kLossTables = R"(
 CREATE TABLE IF NOT EXISTS losses (cell INTEGER, replicate INTEGER, loss INTEGER, time_s REAL, player TEXT,
                                    side TEXT, by TEXT, PRIMARY KEY (cell, replicate, loss)) WITHOUT ROWID;
@@ -176,18 +171,18 @@ std::vector<Way> ways_flown(const std::string& folder, std::uint64_t count, unsi
   Again again(database, plugins, workers);
   const auto flights = again.flights("WHERE replicate < ?", static_cast<double>(count));
   std::vector<Way> all;
+  using FlownWays = std::pair<std::uint64_t, std::vector<Way>>;  // with the hash of the last world
   in_order<FlownWays>(
       flights.size(), workers,
       [&](std::uint64_t i) {
         const auto scenario = again.scenario(flights[i].cell);
         WayWatcher watcher(*scenario);
-        sim::Observer* const observer = &watcher;
-        const std::uint64_t hash = fly(scenario, flights[i].seed, {&observer, 1}).hash;
+        const std::uint64_t hash = fly(scenario, flights[i].seed, &watcher).hash;
         return FlownWays{hash, std::move(watcher.ways)};
       },
       [&](std::uint64_t i, FlownWays&& flown) {
-        Again::demand_the_same(flights[i], flown.hash);
-        for (Way& way : flown.ways) {
+        Again::demand_the_same(flights[i], flown.first);
+        for (Way& way : flown.second) {
           way.cell = flights[i].cell;
           way.replicate = flights[i].replicate;
           all.push_back(std::move(way));
@@ -200,8 +195,7 @@ std::vector<Way> ways_flown(const std::string& folder, std::uint64_t count, unsi
 LastDecisions last_decisions(const std::shared_ptr<const scenario::Scenario>& scenario,
                              std::uint64_t seed, double window) {
   Losses losses(scenario->roster);
-  sim::Observer* const observer = &losses;
-  const std::uint64_t hash = fly(scenario, seed, {&observer, 1}).hash;
+  const std::uint64_t hash = fly(scenario, seed, &losses).hash;
   LastDecisions found{hash, std::move(losses.all), {}};
   if (found.losses.empty())
     return found;

@@ -100,13 +100,10 @@ Result fly_replicate(const Spec& spec, Scenarios& scenarios, std::uint64_t cell,
   } landing;
   try {
     const auto scenario = scenarios.of(cell);
-    const auto watching = watch(spec, *scenario);
-    sim::Observer* const observer = watching.get();
-    result.flown = fly(scenario, result.flown.seed, {&observer, 1}, {}, given_up);
-    if (result.flown.fault.empty()) {
-      const auto values = watching->values(result.flown.outcome, result.flown.time);
-      result.values.assign(values.begin(), values.end());
-    }
+    const auto watching = watch(spec.measures, *scenario);
+    result.flown = fly(scenario, result.flown.seed, watching.get(), {}, given_up);
+    if (result.flown.fault.empty())
+      result.values = watching->values(result.flown.outcome, result.flown.time);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {

@@ -99,6 +99,9 @@ struct Standing {
 };
 
 enum class Ended : std::uint8_t { complete, stopped, budget };
+constexpr auto names_of(Ended) {
+  return names_from_zero<Ended>("complete", "interrupted", "at the end of its budget");
+}
 
 /// Flies what is missing in the store, and tells of every result. What was taken up before is flown
 /// again once first: throws disk::Refused if this program gives another result. A measure's

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/measure.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -125,7 +123,7 @@ class Watcher final : public Watch {
             world.rows(scenario_.aircraft.propulsion)[row].fuel;
   }
 
-  std::span<const double> values(scenario::Outcome outcome, double time) override {
+  std::vector<double> values(scenario::Outcome outcome, double time) override {
     values_.resize(measures_.columns.size());
     for (std::size_t i = 0; i < measures_.specs.size(); ++i) {
       const Measure& measure = measures_.estimates[i];

@@ -106,7 +106,7 @@ class Watch : public sim::Observer {
  public:
   /// By column; NaN where it does not apply. To be called once, after finish(); `time` (s) is when
   /// the flight ended.
-  [[nodiscard]] virtual std::span<const double> values(scenario::Outcome outcome, double time) = 0;
+  [[nodiscard]] virtual std::vector<double> values(scenario::Outcome outcome, double time) = 0;
 };
 
 /// Throws ConfigError if the scenario has nobody of that name, no such phase or node.

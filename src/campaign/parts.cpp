@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  The folders of the parts of a campaign.
-#include <charconv>
 #include <filesystem>
 
 #include "campaign/store.hpp"
@@ -12,17 +11,12 @@ namespace {
 
 /// "part_3_of_16": 16; 0 of another name.
 std::uint64_t parts_of(std::string_view name) {
-  Part part{0, 0};
-  const auto number = [&](std::string_view before, std::uint64_t& into) {
-    if (!name.starts_with(before))
-      return;
-    const auto read = std::from_chars(name.data() + before.size(), name.data() + name.size(), into);
-    name.remove_prefix(static_cast<std::size_t>(read.ptr - name.data()));
-  };
-  number(kPartName, part.index);
-  number("_of_", part.of);
-  const bool is_part = name.empty() && part.index >= 1 && part.index <= part.of;
-  return is_part && part.of <= Part::kMost ? part.of : 0;
+  if (!name.starts_with(kPartName))
+    return 0;
+  const auto part = two_numbers(name.substr(std::string_view(kPartName).size()), "_of_");
+  return part && part->first >= 1 && part->first <= part->second && part->second <= Part::kMost
+             ? part->second
+             : 0;
 }
 
 }  // namespace

@@ -6,11 +6,10 @@
 namespace eyrie::campaign {
 
 Flown fly(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t seed,
-          std::span<sim::Observer* const> observers, std::optional<double> until,
-          bool (*given_up)()) {
+          sim::Observer* observer, std::optional<double> until, bool (*given_up)()) {
   scenario::Mission mission(scenario, seed, until);
   sim::Run& run = mission.run();
-  for (sim::Observer* observer : observers)
+  if (observer)
     run.attach(*observer);
   while (mission.step())
     if (given_up && given_up())
@@ -42,8 +41,7 @@ std::string fly_command(
 SeedFlown fly_seed(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t seed,
                    std::optional<double> until, bool (*given_up)()) {
   record::Tally tally(*scenario);
-  sim::Observer* const watching[] = {&tally};
-  const Flown flown = fly(scenario, seed, watching, until, given_up);
+  const Flown flown = fly(scenario, seed, &tally, until, given_up);
   return {flown, tally.side(model::Side::blue), tally.side(model::Side::red)};
 }
 

@@ -24,10 +24,10 @@ struct Flown {
 };
 
 /// Flies a scenario from its start to its end, or to `until` (s) instead of the scenario's own. The
-/// observers see every step. `given_up`, asked in every step, stops the flight there. Any number of
-/// threads may fly one scenario.
+/// observer, if any, sees every step. `given_up`, asked in every step, stops the flight there. Any
+/// number of threads may fly one scenario.
 [[nodiscard]] Flown fly(const std::shared_ptr<const scenario::Scenario>& scenario,
-                        std::uint64_t seed, std::span<sim::Observer* const> observers = {},
+                        std::uint64_t seed, sim::Observer* observer = nullptr,
                         std::optional<double> until = {}, bool (*given_up)() = nullptr);
 
 /// The command that flies a scenario: options with their values.

@@ -25,8 +25,7 @@ TEST(Replicate, IsTheMissionOfItsSeed) {
   scenario::Mission mission(merge(), 7);
   mission.fly();
   Steps steps;
-  sim::Observer* const observers[] = {&steps};
-  const Flown flown = fly(merge(), 7, observers);
+  const Flown flown = fly(merge(), 7, &steps);
   EXPECT_EQ(flown.seed, 7U);
   EXPECT_EQ(flown.hash, mission.run().world().hash());
   EXPECT_EQ(flown.outcome, mission.outcome());

@@ -71,9 +71,8 @@ double mean_over(const Search& search, const Cell& cell, std::uint64_t first, st
   const auto scenario = duel(sets_of(search.spec, cell));
   stats::Moments shot;
   for (std::uint64_t seed = first; seed < first + n; ++seed) {
-    const auto watching = watch(search.spec, *scenario);
-    sim::Observer* const observer = watching.get();
-    const Flown flown = fly(scenario, seed, {&observer, 1});
+    const auto watching = watch(search.spec.measures, *scenario);
+    const Flown flown = fly(scenario, seed, watching.get());
     if (const double v = watching->values(flown.outcome, flown.time)[0]; !std::isnan(v))
       shot.add(v);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/bind.hpp"
+#include "core/text.hpp"
 #include "core/yaml.hpp"
 #include "disk/sink.hpp"
 #include "scenario/path.hpp"
@@ -173,7 +174,7 @@ std::optional<Diagnostic> setter_of(const Diagnostics& wrong, const Spec& spec, 
 /// What the scenario refuses of a cell; who is to blame, if anybody is, is said first.
 void try_it(const Spec& spec, const Cell& cell, const Load& load, Diagnostics& wrong, auto blame) {
   try {
-    static_cast<void>(watch(spec, *load(sets_of(spec, cell))));
+    static_cast<void>(watch(spec.measures, *load(sets_of(spec, cell))));
   } catch (const ConfigError& error) {
     if (const std::optional<Diagnostic> first = blame(error.diagnostics()))
       wrong.error(first->where, first->message);
@@ -182,6 +183,16 @@ void try_it(const Spec& spec, const Cell& cell, const Load& load, Diagnostics& w
 }
 
 }  // namespace
+
+std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(std::string_view text,
+                                                                   std::string_view between) {
+  const std::size_t at = text.find(between);
+  if (at == text.npos)
+    return std::nullopt;
+  const auto one = number_from<std::uint64_t>(text.substr(0, at));
+  const auto other = number_from<std::uint64_t>(text.substr(at + between.size()));
+  return one && other ? std::optional(std::pair(*one, *other)) : std::nullopt;
+}
 
 const Measure* find_measure(const Measures& measures, const Value& map, std::string_view owner,
                             Diagnostics& diagnostics) {

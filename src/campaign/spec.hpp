@@ -42,6 +42,10 @@ struct Seeds {
   bool paired = true;
 };
 
+/// "1..500" with ".." between them; nothing if it is anything else.
+[[nodiscard]] std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(
+    std::string_view text, std::string_view between);
+
 /// One of several parts of a campaign that are flown by themselves: one replicate in `of`.
 struct Part {
   static constexpr std::uint64_t kMost = 1'000'000;
@@ -147,10 +151,5 @@ void check(const Spec& spec, const Load& load);
 /// Loads each of the first 2,000 cells, as levels that are right by themselves may not go together.
 /// Throws ConfigError that says which cell it was. A cell beyond them that is refused has faults.
 void check_cells(const Spec& spec, std::span<const Cell> cells, const Load& load);
-
-[[nodiscard]] inline std::unique_ptr<Watch> watch(const Spec& spec,
-                                                  const scenario::Scenario& scenario) {
-  return watch(spec.measures, scenario);
-}
 
 }  // namespace eyrie::campaign
