@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "report.hpp"
-
+/// \file  What the user reads: header, story, closing table; or one JSON object.
 #include <fmt/ranges.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "campaigns.hpp"
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "debrief/what_if.hpp"
 #include "disk/file_system.hpp"
+#include "flight.hpp"
 #include "record/json_text.hpp"
 
 namespace eyrie::app {
@@ -246,12 +246,9 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
                            {"phase", phase.phase},
                            {"time_s", phase.time}});
   for (const Side side : {Side::blue, Side::red}) {
-    const auto s = tally.side(side);
-    j["sides"][std::string(scenario::side_name(side))] = {{"players", s.players},
-                                                          {"losses", s.losses},
-                                                          {"shots", s.shots},
-                                                          {"kills", s.kills},
-                                                          {"home", s.home}};
+    auto& own = j["sides"][std::string(scenario::side_name(side))];
+    own["players"] = tally.side(side).players;
+    own.update(side_json(tally.side(side)));
   }
   j["outcome"] = enum_name(mission.outcome());
   if (const sim::Fault* fault = mission.run().fault())
