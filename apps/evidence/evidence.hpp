@@ -2,9 +2,31 @@
 #pragma once
 /// \file  What is said of a model, what is published, and how far they are apart. A new topic is a
 /// function here, its own .cpp and one line in `topics()` in main.cpp.
-#include "plot.hpp"
+#include <string>
+#include <vector>
 
 namespace eyrie::evidence {
+
+struct Point {
+  double x, y;
+};
+
+/// A curve, or points that stand for what others have measured or published.
+struct Series {
+  std::string name;
+  std::vector<Point> points;
+  bool published = false;  ///< drawn as points, not as a curve
+};
+
+/// One picture: docs/models/plots/<file>.svg.
+struct Plot {
+  std::string file, title, x, y;
+  std::vector<Series> series{};
+  double from_y = 0;  ///< lowest ordinate shown; curves below are cut off
+};
+
+/// As SVG: the same bytes wherever it is drawn.
+[[nodiscard]] std::string svg(const Plot& plot);
 
 /// One line of docs/models/README.md.
 struct Row {

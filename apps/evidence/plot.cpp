@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "plot.hpp"
-
+/// \file  Curves and points as SVG.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/text.hpp"
+#include "evidence.hpp"
 
 namespace eyrie::evidence {
 namespace {
