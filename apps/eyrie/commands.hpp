@@ -33,14 +33,6 @@ struct FlyOptions {
 [[nodiscard]] unsigned cores();
 
 int fly(const FlyOptions& options);
-/// What came of a flight.
-struct Flown {
-  std::string folder;
-  std::vector<std::string> files;  ///< of the scenario
-};
-int fly(const FlyOptions& options, Flown& flown);
-/// Until it is interrupted.
-int fly_and_watch(const FlyOptions& options);
 /// With `seeds`; `until` (s) as for a mission.
 int fly_seeds(const FlyOptions& options, const std::shared_ptr<const scenario::Scenario>& scenario,
               std::optional<double> until);

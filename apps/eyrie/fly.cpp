@@ -74,14 +74,13 @@ std::map<std::string, Stamp> stamps(const std::set<std::string>& files) {
   return all;
 }
 
-}  // namespace
+/// What came of a flight.
+struct Flown {
+  std::string folder;
+  std::vector<std::string> files;  ///< of the scenario
+};
 
-int fly(const FlyOptions& options) {
-  Flown flown;
-  return options.watch ? fly_and_watch(options) : fly(options, flown);
-}
-
-int fly(const FlyOptions& options, Flown& flown) {
+int fly_once(const FlyOptions& options, Flown& flown) {
   std::optional<double> until;
   if (!options.until.empty()) {
     const Parsed time = parse_quantity(options.until, Dimension::time);
@@ -103,6 +102,7 @@ int fly(const FlyOptions& options, Flown& flown) {
   return code;
 }
 
+/// Until it is interrupted.
 int fly_and_watch(const FlyOptions& options) {
   FlyOptions again = options;
   const std::string file = scenario_file(options.scenario);
@@ -114,7 +114,7 @@ int fly_and_watch(const FlyOptions& options) {
     bool in_files = false;  // a mistake that a change of them may mend
     const int code = attempt([&] {
       try {
-        return fly(again, flown);
+        return fly_once(again, flown);
       } catch (const ConfigError& error) {
         in_files = true;
         for (const Diagnostic& wrong : error.diagnostics().sorted())
@@ -138,6 +138,13 @@ int fly_and_watch(const FlyOptions& options) {
     if (interrupted())
       return 0;
   }
+}
+
+}  // namespace
+
+int fly(const FlyOptions& options) {
+  Flown flown;
+  return options.watch ? fly_and_watch(options) : fly_once(options, flown);
 }
 
 }  // namespace eyrie::app
