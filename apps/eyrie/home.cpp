@@ -14,6 +14,7 @@
 #include "disk/file_system.hpp"
 #include "home_page.hpp"
 #include "locate.hpp"
+#include "record/json_text.hpp"
 #include "record/run_file.hpp"
 #include "say.hpp"
 #include "scenario/path.hpp"
@@ -23,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using Object = nlohmann::ordered_json;
+using record::json_text;
 
 constexpr std::size_t kMostRuns = 20;
 constexpr const char* kJson = "application/json; charset=utf-8";
@@ -51,13 +53,6 @@ Object about(const std::string& name) {
 bool is_nameable(const std::string& name) {
   return !name.empty() && !name.starts_with('.') && name.find('/') == name.npos &&
          printable(name) == name;
-}
-
-std::string as_html(std::string_view text) {
-  std::string html;
-  for (const char c : text)
-    html += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return html;
 }
 
 /// "a%20b" is "a b".
@@ -111,10 +106,6 @@ Object runs() {
   return all;
 }
 
-std::string text_of(const Object& json) {
-  return json.dump(-1, ' ', false, Object::error_handler_t::replace);
-}
-
 /// "/debrief?run=sweep-1&run=merge-4": the page of one run or two of runs/.
 std::optional<net::WebPage> debrief_at(std::string_view target) {
   constexpr std::string_view kBegin = "/debrief?";
@@ -149,11 +140,11 @@ void Home::furnish(net::WebOptions& site, std::string_view problem) {
     Object all = Object::array();
     for (const std::string& name : names_)
       all.push_back(about(name));
-    scenarios_ = text_of(all);
+    scenarios_ = json_text(all);
   }
   std::string page(kHomePage);
   constexpr std::string_view kMark = "@PROBLEM@";
-  page.replace(page.find(kMark), kMark.size(), as_html(problem));
+  page.replace(page.find(kMark), kMark.size(), xml_text(problem));
   site.pages["/"] = {kHtml, std::move(page)};
   site.pages["/api/scenarios"] = {kJson, scenarios_};
   site.pages["/api/schema"] = {
@@ -161,7 +152,7 @@ void Home::furnish(net::WebOptions& site, std::string_view problem) {
       disk::read_file((fs::path(home()) / "data/eyrie.schema.json").string(), 16 << 20).bytes};
   site.made = [](std::string_view target) -> std::optional<net::WebPage> {
     if (target == "/api/runs")
-      return net::WebPage{kJson, text_of(runs())};
+      return net::WebPage{kJson, json_text(runs())};
     return debrief_at(target);
   };
   site.channel.said = [this](net::ViewerId who, std::string_view text) { return hear(who, text); };
@@ -216,8 +207,8 @@ std::optional<Choice> Home::ask(net::WebHost& host) {
     for (const Wish& wish : wishes_.take()) {
       Choice chosen;
       const std::string words = taken ? "somebody else was first" : problem(wish, chosen);
-      host.send(wish.who, text_of(words.empty() ? Object{{"flies", wish.scenario}}
-                                                : Object{{"refused", words}}));
+      host.send(wish.who, json_text(words.empty() ? Object{{"flies", wish.scenario}}
+                                                  : Object{{"refused", words}}));
       if (words.empty())
         taken = std::move(chosen);
     }

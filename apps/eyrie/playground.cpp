@@ -14,6 +14,7 @@
 #include "page/page.hpp"
 #include "pilot/policy/policy_file.hpp"
 #include "record/json_schema.hpp"
+#include "record/json_text.hpp"
 #include "say.hpp"
 #include "scenario/catalog.hpp"
 #include "scenario/plugins.hpp"
@@ -63,8 +64,7 @@ page::Part texts_of(const std::string& home) {
   const scenario::Plugins none;
   texts["schema"] = nlohmann::ordered_json::parse(
       record::catalog_json_schema(scenario::make_catalog(scenario::Source::disk(home), none)));
-  return page::part_of("texts",
-                       texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  return page::part_of("texts", record::json_text(texts));
 }
 
 }  // namespace

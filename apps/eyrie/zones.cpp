@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// \file  zones: flies the launch zones of missiles and keeps them, or draws them; and where the
 /// zones of everybody's own missiles are kept between runs.
-#include <unistd.h>
-
 #include <deque>
 #include <filesystem>
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "command.hpp"
@@ -72,24 +71,16 @@ void keep_in_cache(std::uint64_t key, std::string_view file) {
   }
 }
 
-/// A bar on a terminal, nothing elsewhere.
+/// Says on a terminal how far the zone is that is flown now.
 void show_progress(const model::MissileType& type, double done) {
   static std::mutex mutex;
-  static double shown = 0;
-  if (!::isatty(STDERR_FILENO))
-    return;
+  static std::optional<Progress> progress;
   const std::lock_guard lock(mutex);
-  if (done < shown && done > 0.1)
-    return;  // a slower thread
-  shown = done < 1 ? done : 0;
-  constexpr std::size_t kWidth = 30;
-  const auto full = static_cast<std::size_t>(done * kWidth);
-  if (done < 1)
-    complain("{}flying the launch zone of {}: [{}{}] {:.0f} %", Composed{"\r"}, type.label,
-             std::string(full, '#'), std::string(kWidth - full, '.'), 100 * done);
-  else
-    complain("{}", Composed{"\r\033[K"});
-  std::fflush(stderr);
+  if (done >= 1)
+    return progress.reset();
+  if (!progress)
+    progress.emplace("percent of the launch zone of " + type.label, 100);
+  progress->at(static_cast<std::uint64_t>(100 * done));
 }
 
 /// A missile of data/missiles/ by its name, with its zone.
