@@ -33,10 +33,6 @@ double seconds_of(std::chrono::system_clock::time_point time) {
   return std::chrono::duration<double>(time.time_since_epoch()).count();
 }
 
-bool is_shared(const scenario::Scenario& scenario) {
-  return scenario.remote.has_value();
-}
-
 /// "2 m", "5 deg" or both, with a comma between.
 dis::Thresholds thresholds_of(const std::string& text) {
   std::optional<double> position, turn;
@@ -112,9 +108,9 @@ Broadcast::Broadcast(const scenario::Scenario& scenario, DisLink link, double ra
       others_(scenario, link_.station, rate),
       announcer_(
           scenario, link_.station, [this](double, const dis::Packet& packet) { send(packet); },
-          is_shared(scenario) ? &others_ : nullptr),
+          scenario.remote ? &others_ : nullptr),
       obeys_(obeys),
-      timed_(is_shared(scenario) && rate == 1) {}
+      timed_(scenario.remote && rate == 1) {}
 
 void Broadcast::send(const dis::Packet& packet) {
   if (!timed_)
@@ -189,13 +185,13 @@ std::unique_ptr<net::TelemetryHost> host_tacview(const FlyOptions& options,
 std::unique_ptr<Broadcast> broadcast_dis(const FlyOptions& options,
                                          const scenario::Scenario& scenario) {
   if (options.dis.empty()) {
-    if (is_shared(scenario))
+    if (scenario.remote)
       complain(
           "eyrie: some of its players are another program's: without --dis nobody hears of "
           "them, and they never appear\n");
     return {};
   }
-  const bool listens = is_shared(scenario) || options.dis_obey;
+  const bool listens = scenario.remote || options.dis_obey;
   auto made = std::make_unique<Broadcast>(scenario, link_dis(options, listens),
                                           options.real_time.value_or(1), options.dis_obey);
   complain("eyrie: tells other simulations by DIS at {}{}\n", dis_place(options).text(),

@@ -25,11 +25,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using campaign::SeedFlown;
 
-void print_fields(const debrief::Otherwise& first) {
-  for (const debrief::Changed& field : first.fields)
-    say("  {:<12} {} -> {}\n", field.name, field.flown, field.other);
-}
-
 Json first_json(const debrief::Otherwise& first) {
   Json fields = Json::array();
   for (const debrief::Changed& field : first.fields) {
@@ -52,14 +47,13 @@ Json outcome_json(const debrief::Outcome& outcome) {
           {"red", side_json(outcome.red)}};
 }
 
-void print_outcome(std::string_view name, const debrief::Outcome& o) {
-  say("  {:<10} {:<10} {:>8}   {:>3} {:>3}   {:>3} {:>3}   {:>3} {:>3}\n", name, o.outcome,
-      record::clock_text(o.time), o.blue.losses, o.red.losses, o.blue.shots, o.red.shots,
-      o.blue.home, o.red.home);
-}
-void print_outcome_head() {
+void print_outcomes(const debrief::Outcome& flown, const debrief::Outcome& otherwise) {
   say("\n  {:<10} {:<10} {:>8}   {:<7}   {:<7}   {:<7}\n  {:<30}   blu red   blu red   blu red\n",
       "", "outcome", "time", "losses", "shots", "home", "");
+  for (const auto& [name, o] : {std::pair("flown", &flown), {"otherwise", &otherwise}})
+    say("  {:<10} {:<10} {:>8}   {:>3} {:>3}   {:>3} {:>3}   {:>3} {:>3}\n", name, o->outcome,
+        record::clock_text(o->time), o->blue.losses, o->red.losses, o->blue.shots, o->red.shots,
+        o->blue.home, o->red.home);
 }
 
 /// The same seeds flown both ways: the differences are paired.
@@ -248,7 +242,8 @@ int what_if(const WhatIfOptions& options) {
     if (result.first) {
       say("first at {} (step {}): {} -> {}\n", record::clock_text(result.first->time),
           result.first->step, result.first->flown, result.first->other);
-      print_fields(*result.first);
+      for (const debrief::Changed& field : result.first->fields)
+        say("  {:<12} {} -> {}\n", field.name, field.flown, field.other);
     }
   }
   if (!result.fault.empty())
@@ -279,9 +274,7 @@ int what_if(const WhatIfOptions& options) {
       if (first->who != who)
         say("flown on from {} (step {}), where {} is the first to decide otherwise\n",
             record::clock_text(first->decision.time), first->decision.step, name);
-      print_outcome_head();
-      print_outcome("flown", *flown);
-      print_outcome("otherwise", ended);
+      print_outcomes(*flown, ended);
     }
   }
   if (options.seeds > 0)
