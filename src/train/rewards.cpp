@@ -77,23 +77,6 @@ Duel duel(const Kinematics& own, const Kinematics& other) {
           .off_his_nose = angle_between(other.velocity, -sight)};
 }
 
-double of_duel(const Reward& r, const Duel& d) {
-  const bool anywhere = r.high == 0 && r.term != Term::closeness;
-  const double within = anywhere ? 1 : near_one(d.range, r.low, r.high);
-  switch (r.term) {
-    case Term::nose_on:
-      return within * (1 - d.off_nose / kPi);
-    case Term::advantage:
-      return within * (d.off_his_nose - d.off_nose) / kPi;
-    case Term::closeness:
-      return within;
-    case Term::closing:
-      return std::clamp(d.closing / r.high, -1.0, 1.0);
-    default:
-      return 0;
-  }
-}
-
 }  // namespace
 
 void note(const sim::Event& e, PlayerId who, const scenario::Roster& roster, Merit& merit) {
@@ -127,57 +110,52 @@ double reward(std::span<const Reward> terms, const scenario::Scenario& scenario,
   const auto row = world.row(scenario.aircraft.table, who);
   const Kinematics* own = row ? &world.rows(scenario.aircraft.kinematics)[*row] : nullptr;
   const Kinematics* other = own ? nearest_enemy(scenario, world, *own, side) : nullptr;
-  const std::optional<Duel> fought = other ? std::optional(duel(*own, *other)) : std::nullopt;
+  const Duel d = other ? duel(*own, *other) : Duel{};
   const Living left = over ? living(scenario, world, side) : Living{};
-
-  double sum = 0;
-  for (const Reward& r : terms) {
+  const auto worth = [&](const Reward& r) -> double {
+    const double lived = own ? r.weight * seconds : 0, fought = other ? lived : 0;
+    const double within = r.high == 0 ? 1 : near_one(d.range, r.low, r.high);
     switch (r.term) {
       case Term::win:
-        sum += over && left.enemies == 0 && left.own > 0 ? r.weight : 0;
-        break;
+        return over && left.enemies == 0 && left.own > 0 ? r.weight : 0;
       case Term::loss:
-        sum += over && left.enemies > 0 && left.own == 0 ? r.weight : 0;
-        break;
+        return over && left.enemies > 0 && left.own == 0 ? r.weight : 0;
       case Term::draw:
-        sum += over && (left.enemies == 0) == (left.own == 0) ? r.weight : 0;
-        break;
+        return over && (left.enemies == 0) == (left.own == 0) ? r.weight : 0;
       case Term::kill:
-        sum += r.weight * merit.kills;
-        break;
+        return r.weight * merit.kills;
       case Term::killed:
-        sum += !merit.alive && !merit.home ? r.weight : 0;
-        break;
+        return !merit.alive && !merit.home ? r.weight : 0;
       case Term::hit:
-        sum += r.weight * merit.hits;
-        break;
+        return r.weight * merit.hits;
       case Term::hit_by:
-        sum += r.weight * merit.hits_by;
-        break;
+        return r.weight * merit.hits_by;
       case Term::launch:
-        sum += r.weight * merit.launches;
-        break;
+        return r.weight * merit.launches;
       case Term::rounds:
-        sum += r.weight * merit.rounds;
-        break;
+        return r.weight * merit.rounds;
       case Term::alive:
-        sum += own ? r.weight * seconds : 0;
-        break;
-      case Term::low:
-        sum += own ? r.weight * seconds * near_one(own->altitude, r.low, r.high) : 0;
-        break;
-      case Term::formation:
-        if (const auto off = own ? off_place(scenario, world, who, *own) : std::nullopt)
-          sum += r.weight * seconds * near_one(*off, r.low, r.high);
-        break;
+        return lived;
       case Term::nose_on:
+        return fought * (within * (1 - d.off_nose / kPi));
       case Term::advantage:
+        return fought * (within * (d.off_his_nose - d.off_nose) / kPi);
       case Term::closeness:
+        return fought * within;
       case Term::closing:
-        sum += fought ? r.weight * seconds * of_duel(r, *fought) : 0;
-        break;
+        return fought * std::clamp(d.closing / r.high, -1.0, 1.0);
+      case Term::low:
+        return own ? lived * near_one(own->altitude, r.low, r.high) : 0;
+      case Term::formation: {
+        const auto off = own ? off_place(scenario, world, who, *own) : std::nullopt;
+        return off ? lived * near_one(*off, r.low, r.high) : 0;
+      }
     }
-  }
+    return 0;
+  };
+  double sum = 0;
+  for (const Reward& r : terms)
+    sum += worth(r);
   return sum;
 }
 
