@@ -31,24 +31,19 @@ void merge(benchmark::State& state) {
                         .keep_episodes = 0});
   const train::Shape& s = env.shape();
   const std::size_t agents = s.envs * s.agents;
-  std::vector<float> observations(agents * s.observation), last(observations), rewards(agents);
-  std::vector<std::uint8_t> masks(agents * s.action), last_masks(masks), alive(agents),
-      terminated(agents), truncated(agents), over(s.envs);
-  const train::Arrays out{observations, masks, alive, rewards,   terminated,
-                          truncated,    over,  last,  last_masks};
   // another action every second, so that they fly somewhere
   std::vector<std::vector<float>> actions(16, std::vector<float>(agents * s.action));
   Draw draw(1, PlayerId{1}, Stream::test, 0);
   for (auto& each : actions)
     for (float& x : each)
       x = static_cast<float>(draw.uniform(-1, 1));
-  env.reset(1, out);
-  env.step(actions[0], out);
+  env.reset(1);
+  env.step(actions[0]);
   const double before = resident();
   std::uint64_t decisions = 0, episodes = 0;
   for (auto _ : state) {
-    env.step(actions[decisions++ / 10 % actions.size()], out);
-    for (const std::uint8_t one : over)
+    env.step(actions[decisions++ / 10 % actions.size()]);
+    for (const std::uint8_t one : env.results()->over)
       episodes += one;
   }
   const auto made = static_cast<double>(decisions) * static_cast<double>(s.envs);

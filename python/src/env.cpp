@@ -16,21 +16,13 @@ struct Saved {
   std::shared_ptr<const train::VectorEnv::Snapshot> snapshot;
 };
 
-/// One native environment with the arrays that it writes into: made once, the same in every step.
+/// One native environment with what it writes into, which outlives it.
 class VectorEnv {
  public:
   VectorEnv(train::TaskSpec task, scenario::Source source, const train::Options& options)
       : env_(new train::VectorEnv(std::move(task), std::move(source), options)),
         shape_(env_->shape()),
-        observations_(shape_.envs * shape_.agents * shape_.observation),
-        last_observations_(observations_.size()),
-        rewards_(shape_.envs * shape_.agents),
-        masks_(rewards_.size() * shape_.action),
-        last_masks_(masks_.size()),
-        alive_(rewards_.size()),
-        terminated_(rewards_.size()),
-        truncated_(rewards_.size()),
-        over_(shape_.envs) {}
+        results_(env_->results()) {}
   /// Threads do not live on in a child of fork(): nobody may wait for them there.
   ~VectorEnv() {
     if (is_forked())
@@ -42,7 +34,7 @@ class VectorEnv {
   void reset(std::uint64_t seed) {
     const InUse used = use();
     const GilReleased released;
-    env_->reset(seed, arrays());
+    env_->reset(seed);
   }
   void step(const nb::ndarray<const float, nb::ndim<3>, nb::c_contig, nb::device::cpu>& actions) {
     if (actions.shape(0) != shape_.envs || actions.shape(1) != shape_.agents ||
@@ -54,7 +46,7 @@ class VectorEnv {
     const InUse used = use();
     const std::span<const float> numbers(actions.data(), actions.size());
     const GilReleased released;
-    env_->step(numbers, arrays());
+    env_->step(numbers);
   }
   /// Ends its threads and frees its worlds; the arrays stay.
   void close() {
@@ -71,7 +63,7 @@ class VectorEnv {
   }
   void restore(const Saved& saved) {
     const InUse used = use();
-    env_->restore(*saved.snapshot, arrays());
+    env_->restore(*saved.snapshot);
   }
   /// The run of the episode in a world, so far or that ended last.
   [[nodiscard]] Recorded episode(std::size_t world, bool last) const {
@@ -87,31 +79,31 @@ class VectorEnv {
   /// Properties of what reset() and step() write, which keep the environment: by world, by world
   /// and learner, or by world, learner and number.
   static void add_arrays(nb::class_<VectorEnv>& c) {
-    const auto add = [&]<class T>(const char* name, std::vector<T> VectorEnv::*values,
+    const auto add = [&]<class T>(const char* name, std::vector<T> train::Results::*values,
                                   std::size_t dimensions, const char* help) {
       c.def_prop_ro(
           name,
           [=](nb::handle_t<VectorEnv> self) {
             const auto& env = nb::cast<const VectorEnv&>(self);
             const auto& [envs, agents, observation, action] = env.shape_;
-            const auto& all = env.*values;
+            const auto& all = *env.results_.*values;
             const std::array shape{envs, agents, all.size() / (envs * agents)};
             return nb::ndarray<nb::numpy, const T>(all.data(), dimensions, shape.data(), self);
           },
           help);
     };
-    add("observations", &VectorEnv::observations_, 3, "(worlds, learners, numbers)");
-    add("last_observations", &VectorEnv::last_observations_, 3,
+    using train::Results;
+    add("observations", &Results::observations, 3, "(worlds, learners, numbers)");
+    add("last_observations", &Results::last_observations, 3,
         "As observations, of the episodes that are over; else 0.");
-    add("rewards", &VectorEnv::rewards_, 2, "(worlds, learners)");
-    add("alive", &VectorEnv::alive_, 2, "(worlds, learners), 0 or 1");
-    add("terminated", &VectorEnv::terminated_, 2, "(worlds, learners), 0 or 1");
-    add("truncated", &VectorEnv::truncated_, 2, "(worlds, learners), 0 or 1");
-    add("over", &VectorEnv::over_, 1, "(worlds,): 1 if the episode was.");
-    add("masks", &VectorEnv::masks_, 3,
+    add("rewards", &Results::rewards, 2, "(worlds, learners)");
+    add("alive", &Results::alive, 2, "(worlds, learners), 0 or 1");
+    add("terminated", &Results::terminated, 2, "(worlds, learners), 0 or 1");
+    add("truncated", &Results::truncated, 2, "(worlds, learners), 0 or 1");
+    add("over", &Results::over, 1, "(worlds,): 1 if the episode was.");
+    add("masks", &Results::masks, 3,
         "(worlds, learners, actions): 1 where the action can do anything now.");
-    add("last_masks", &VectorEnv::last_masks_, 3,
-        "As masks, of the episodes that are over; else 0.");
+    add("last_masks", &Results::last_masks, 3, "As masks, of the episodes that are over; else 0.");
   }
   [[nodiscard]] const train::VectorEnv& env() const {
     demand_open();
@@ -119,17 +111,6 @@ class VectorEnv {
   }
 
  private:
-  [[nodiscard]] train::Arrays arrays() {
-    return {.observations = observations_,
-            .masks = masks_,
-            .alive = alive_,
-            .rewards = rewards_,
-            .terminated = terminated_,
-            .truncated = truncated_,
-            .over = over_,
-            .last_observations = last_observations_,
-            .last_masks = last_masks_};
-  }
   /// While it lives nobody else may use the environment.
   [[nodiscard]] InUse use() const {
     demand_open();
@@ -151,8 +132,7 @@ class VectorEnv {
   std::unique_ptr<train::VectorEnv> env_;
   pid_t process_ = ::getpid();  ///< in which its threads are
   train::Shape shape_;
-  std::vector<float> observations_, last_observations_, rewards_;
-  std::vector<std::uint8_t> masks_, last_masks_, alive_, terminated_, truncated_, over_;
+  std::shared_ptr<const train::Results> results_;
   mutable bool in_use_ = false;
 };
 

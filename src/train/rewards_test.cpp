@@ -19,7 +19,7 @@ TEST(Reward, IsPaidForEachRoundWhenItIsFired) {
   for (int decision = 0; decision < 30; ++decision) {
     t.act();
     t.actions = {decision % 3 == 0 ? 1.0F : -1.0F};
-    t.env.step(t.actions, t.arrays());
+    t.env.step(t.actions);
     sum += t.rewards[0];
     ASSERT_FALSE(t.over[0]);
     ASSERT_EQ(sum, static_cast<float>(before - world.rows(gun)[0].rounds)) << decision;

@@ -36,6 +36,17 @@ void check_memory(std::size_t envs, double bytes) {
 
 }  // namespace
 
+Results::Results(const Shape& s)
+    : observations(s.envs * s.agents * s.observation),
+      masks(s.envs * s.agents * s.action),
+      alive(s.envs * s.agents),
+      rewards(alive.size()),
+      terminated(alive.size()),
+      truncated(alive.size()),
+      over(s.envs),
+      last_observations(observations.size()),
+      last_masks(masks.size()) {}
+
 VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& options)
     : task_(std::move(task)),
       options_(options),
@@ -80,7 +91,7 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
       static_cast<std::size_t>(scenario_->spec.until / seconds_ + 2) * learners_.size();
   room_ = scenario_->orders.size() + choices_.size() +
           decisions * (task_.votes ? action_names_.size() : 1);
-  constexpr std::size_t kArrays = 3, kSlack = 1024;  // of the caller, with last ones; of the heap
+  constexpr std::size_t kArrays = 3, kSlack = 1024;  // last ones and copies too; of the heap
   const std::size_t world =
       scenario_->simulation->schema().bytes() + sizeof(Slot) + kSlack +
       shape_.agents *
@@ -89,6 +100,7 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
       std::min(options_.envs, options_.keep_episodes) * 2 * room_ * sizeof(sim::Order);
   check_memory(options_.envs, static_cast<double>(options_.envs) * static_cast<double>(world) +
                                   static_cast<double>(episodes));
+  results_ = std::make_shared<Results>(shape_);
   for (std::size_t env = 0; env < options_.envs; ++env)
     slots_.emplace_back(*scenario_, learners_.size(), task_.votes ? action_names_.size() : 0,
                         env < options_.keep_episodes ? room_ : 0);

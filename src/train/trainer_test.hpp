@@ -10,29 +10,18 @@ namespace eyrie::train {
 /// Environments with their arrays, and random actions for them.
 struct Trainer {
   VectorEnv env;
-  std::vector<float> observations, last_observations, rewards;
-  std::vector<std::uint8_t> masks, last_masks, alive, terminated, truncated, over;
-  std::vector<float> actions;
+  std::shared_ptr<const Results> results = env.results();
+  const std::vector<float>&observations = results->observations,
+        &last_observations = results->last_observations, &rewards = results->rewards;
+  const std::vector<std::uint8_t>&masks = results->masks, &last_masks = results->last_masks,
+        &alive = results->alive, &terminated = results->terminated, &truncated = results->truncated,
+        &over = results->over;
+  std::vector<float> actions = std::vector<float>(masks.size());
   std::uint64_t decisions = 0;
 
   Trainer(TaskSpec task, const Options& options)
       : env(std::move(task), scenario::Source::disk("."), options) {
-    const Shape& s = env.shape();
-    const std::size_t agents = s.envs * s.agents;
-    observations.resize(agents * s.observation);
-    last_observations.resize(agents * s.observation);
-    masks.resize(agents * s.action);
-    last_masks.resize(agents * s.action);
-    for (auto* one : {&alive, &terminated, &truncated})
-      one->resize(agents);
-    rewards.resize(agents);
-    over.resize(s.envs);
-    actions.resize(agents * s.action);
-    env.reset(options.seed, arrays());
-  }
-  Arrays arrays() {
-    return {observations,      masks,     alive, rewards, terminated, truncated, over,
-            last_observations, last_masks};
+    env.reset(options.seed);
   }
   /// Each is a function of the number of the decision and its place.
   void act() {
@@ -45,7 +34,7 @@ struct Trainer {
   }
   void step() {
     act();
-    env.step(actions, arrays());
+    env.step(actions);
   }
   /// Everything that a caller can see, in one number after another.
   std::vector<float> seen() const {

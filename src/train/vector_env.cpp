@@ -11,31 +11,10 @@
 #include "train/slot.hpp"
 
 namespace eyrie::train {
-namespace {
-
-template <class T>
-void check_size(std::string_view name, std::span<T> array, std::size_t size) {
-  if (array.size() != size)
-    refuse("{}: {} numbers, expected {}", name, array.size(), size);
-}
-
-}  // namespace
-
-void VectorEnv::check(const Arrays& out) const {
-  const std::size_t agents = shape_.envs * shape_.agents;
-  check_size("observations", out.observations, agents * shape_.observation);
-  check_size("last_observations", out.last_observations, agents * shape_.observation);
-  check_size("masks", out.masks, agents * shape_.action);
-  check_size("last_masks", out.last_masks, agents * shape_.action);
-  check_size("alive", out.alive, agents);
-  check_size("rewards", out.rewards, agents);
-  check_size("terminated", out.terminated, agents);
-  check_size("truncated", out.truncated, agents);
-  check_size("over", out.over, shape_.envs);
-}
 
 void VectorEnv::check_actions(std::span<const float> actions) const {
-  check_size("actions", actions, shape_.envs * shape_.agents * shape_.action);
+  if (const std::size_t size = results_->masks.size(); actions.size() != size)
+    refuse("actions: {} numbers, expected {}", actions.size(), size);
   const float* action = actions.data();
   for (std::size_t env = 0; env < shape_.envs; ++env) {
     if (slots_[env].fault)
@@ -93,12 +72,11 @@ void VectorEnv::end(Slot& slot) const {
   ++slot.episodes;
 }
 
-void VectorEnv::reset(std::uint64_t seed, const Arrays& out) {
-  check(out);
+void VectorEnv::reset(std::uint64_t seed) {
   options_.seed = seed;
   begin_all();
   for (std::size_t env = 0; env < shape_.envs; ++env) {
-    show(env, out);
+    show(env);
     tell_fault(env);
   }
 }
@@ -112,23 +90,21 @@ void VectorEnv::begin_all() {
   });
 }
 
-void VectorEnv::reset_one(std::size_t env, std::uint64_t seed, const Arrays& out) {
-  check(out);
+void VectorEnv::reset_one(std::size_t env, std::uint64_t seed) {
   if (env >= shape_.envs)
     refuse("environment {} of {}", env, shape_.envs);
   begin(slots_[env], seed, *lanes_.front());
-  show(env, out);
+  show(env);
   tell_fault(env);
 }
 
-void VectorEnv::step(std::span<const float> actions, const Arrays& out) {
-  check(out);
+void VectorEnv::step(std::span<const float> actions) {
   check_actions(actions);
   const std::size_t each = shape_.agents * shape_.action;
   each_run([&](Lane& lane, std::size_t env, std::size_t next) {
     advance(std::span(slots_).subspan(env, next - env), lane, actions.data() + env * each);
     for (; env < next; ++env)
-      judge(slots_[env], env, lane, out);
+      judge(slots_[env], env, lane);
   });
   for (std::size_t env = 0; env < shape_.envs; ++env)
     tell_fault(env);
@@ -238,7 +214,8 @@ void VectorEnv::look(Slot& slot, scenario::Judge& judge, const sim::Workspace& w
   slot.outcome = judge(slot.world, slot.any_home);
 }
 
-void VectorEnv::judge(Slot& slot, std::size_t env, Lane& lane, const Arrays& out) const {
+void VectorEnv::judge(Slot& slot, std::size_t env, Lane& lane) {
+  Results& out = *results_;
   // who is still there
   bool any = false;
   const std::size_t first = env * shape_.agents;
@@ -280,10 +257,11 @@ void VectorEnv::judge(Slot& slot, std::size_t env, Lane& lane, const Arrays& out
     end(slot);
     begin(slot, next_seed(env), lane);
   }
-  show_now(env, out);
+  show_now(env);
 }
 
-void VectorEnv::show_now(std::size_t env, const Arrays& out) const {
+void VectorEnv::show_now(std::size_t env) {
+  Results& out = *results_;
   const Slot& slot = slots_[env];
   for (std::size_t agent = 0; agent < shape_.agents; ++agent) {
     const std::size_t at = env * shape_.agents + agent;
@@ -293,7 +271,8 @@ void VectorEnv::show_now(std::size_t env, const Arrays& out) const {
   }
 }
 
-void VectorEnv::show(std::size_t env, const Arrays& out) const {
+void VectorEnv::show(std::size_t env) {
+  Results& out = *results_;
   const std::size_t first = env * shape_.agents;
   std::fill_n(out.rewards.data() + first, shape_.agents, 0.0F);
   std::fill_n(out.terminated.data() + first, shape_.agents, std::uint8_t{0});
@@ -303,7 +282,7 @@ void VectorEnv::show(std::size_t env, const Arrays& out) const {
   std::fill_n(out.last_masks.data() + first * shape_.action, shape_.agents * shape_.action,
               std::uint8_t{0});
   out.over[env] = 0;
-  show_now(env, out);
+  show_now(env);
 }
 
 void VectorEnv::observe(const Slot& slot, std::size_t agent, float* observation,
@@ -340,8 +319,7 @@ std::shared_ptr<const VectorEnv::Snapshot> VectorEnv::save() const {
   return std::make_shared<const Snapshot>(Snapshot{hash_, options_.seed, slots_});
 }
 
-void VectorEnv::restore(const Snapshot& snapshot, const Arrays& out) {
-  check(out);
+void VectorEnv::restore(const Snapshot& snapshot) {
   if (snapshot.slots.size() != slots_.size() || snapshot.task != hash_)
     refuse("this was saved by environments of another task, scenario or number");
   options_.seed = snapshot.seed;
@@ -351,7 +329,7 @@ void VectorEnv::restore(const Snapshot& snapshot, const Arrays& out) {
     slots_[env] = snapshot.slots[env];
     slots_[env].keep(env < options_.keep_episodes ? room_ : 0);
     slots_[env].world = std::move(*world);
-    show(env, out);
+    show(env);
   }
 }
 

@@ -17,18 +17,20 @@ struct Shape {
   std::size_t envs = 0, agents = 0, observation = 0, action = 0;
 };
 
-/// Where the results go: memory of the caller, each span as long as its comment says, all written
-/// by every call. Rows are in the order environment, agent, number.
-struct Arrays {
-  std::span<float> observations;       ///< envs x agents x observation, in [-1, 1]; 0 of the dead
-  std::span<std::uint8_t> masks;       ///< envs x agents x action: 1 if it could do anything now
-  std::span<std::uint8_t> alive;       ///< envs x agents
-  std::span<float> rewards;            ///< envs x agents
-  std::span<std::uint8_t> terminated;  ///< envs x agents: killed, home, or the fight is decided
-  std::span<std::uint8_t> truncated;   ///< envs x agents: alive when the time was up
-  std::span<std::uint8_t> over;        ///< envs: the episode was, and the next one has begun
-  std::span<float> last_observations;  ///< as observations, of the episodes that are over; else 0
-  std::span<std::uint8_t> last_masks;  ///< as masks, likewise
+/// What comes of a call, all written by each and always at the same place in memory. Rows are in
+/// the order environment, agent, number.
+struct Results {
+  explicit Results(const Shape& shape);
+
+  std::vector<float> observations;       ///< envs x agents x observation, in [-1, 1]; 0 of the dead
+  std::vector<std::uint8_t> masks;       ///< envs x agents x action: 1 if it could do anything now
+  std::vector<std::uint8_t> alive;       ///< envs x agents
+  std::vector<float> rewards;            ///< envs x agents
+  std::vector<std::uint8_t> terminated;  ///< envs x agents: killed, home, or the fight is decided
+  std::vector<std::uint8_t> truncated;   ///< envs x agents: alive when the time was up
+  std::vector<std::uint8_t> over;        ///< envs: the episode was, and the next one has begun
+  std::vector<float> last_observations;  ///< as observations, of the episodes that are over; else 0
+  std::vector<std::uint8_t> last_masks;  ///< as masks, likewise
 };
 
 struct Options {
@@ -56,7 +58,7 @@ struct Finished {
 /// The same (task, seed, actions) give the same bits whatever the number of workers. A step
 /// allocates nothing, not even where an episode begins.
 ///
-/// Misuse (arrays of another size, an action that is NaN, one of a dead agent that is not 0) throws
+/// Misuse (actions of another size, one that is NaN, one of a dead agent that is not 0) throws
 /// std::invalid_argument with words before anything is changed. A scenario's mistakes throw
 /// ConfigError, the constructor's others std::invalid_argument. A step that cannot be finished (a
 /// node that throws), also of those that an episode begins with, throws std::runtime_error; then
@@ -81,11 +83,13 @@ class VectorEnv {
   [[nodiscard]] double seconds() const { return seconds_; }
 
   /// Begins the first episode of every environment, as after construction with that seed.
-  void reset(std::uint64_t seed, const Arrays& out);
+  void reset(std::uint64_t seed);
   /// Begins an episode of one environment with a seed of its own; the others go on.
-  void reset_one(std::size_t env, std::uint64_t seed, const Arrays& out);
+  void reset_one(std::size_t env, std::uint64_t seed);
   /// `actions`: envs x agents x action.
-  void step(std::span<const float> actions, const Arrays& out);
+  void step(std::span<const float> actions);
+  /// Of the last of these calls, or of restore(); whoever holds them may outlive this object.
+  [[nodiscard]] std::shared_ptr<const Results> results() const { return results_; }
 
   /// Seed of the episode that goes on.
   [[nodiscard]] std::uint64_t seed(std::size_t env) const;
@@ -101,7 +105,7 @@ class VectorEnv {
     std::vector<Slot> slots;
   };
   [[nodiscard]] std::shared_ptr<const Snapshot> save() const;
-  void restore(const Snapshot& snapshot, const Arrays& out);
+  void restore(const Snapshot& snapshot);
 
   /// The episode that goes on, or the last one that is over, as a run file for replay, explain and
   /// the debrief page. It is flown once more for that. std::invalid_argument if it is not kept.
@@ -122,7 +126,6 @@ class VectorEnv {
   [[nodiscard]] const Slot& slot(std::size_t env) const;
   void read_learners();
   void read_opponents();
-  void check(const Arrays& out) const;
   void check_actions(std::span<const float> actions) const;
   /// Begins an episode and flies until everybody has perceived something and it is the learner's
   /// turn.
@@ -138,14 +141,14 @@ class VectorEnv {
   void advance(std::span<Slot> group, Lane& lane, const float* actions) const;
   void order(Slot& slot, std::vector<sim::Order>& orders, const float* actions) const;
   void look(Slot& slot, scenario::Judge& judge, const sim::Workspace& work) const;
-  void judge(Slot& slot, std::size_t env, Lane& lane, const Arrays& out) const;
+  void judge(Slot& slot, std::size_t env, Lane& lane);
   void tell_fault(std::size_t env) const;
   /// Calls `use(lane, env, next)` with runs of environments that are stepped together, on all
   /// cores.
   template <class Use>
   void each_run(Use use);
-  void show(std::size_t env, const Arrays& out) const;
-  void show_now(std::size_t env, const Arrays& out) const;
+  void show(std::size_t env);
+  void show_now(std::size_t env);
   void observe(const Slot& slot, std::size_t agent, float* observation, std::uint8_t* mask) const;
 
   TaskSpec task_;
@@ -157,6 +160,7 @@ class VectorEnv {
   std::vector<Learner> learners_;
   std::vector<Choice> choices_;
   Shape shape_;
+  std::shared_ptr<Results> results_;
   std::uint32_t period_ = 5;  ///< steps of the world
   std::uint32_t lead_ = 0;    ///< of its steps, until the first learner decides
   double seconds_ = 0.1;

@@ -107,7 +107,7 @@ TEST(VectorEnv, GoesOnFromWhatWasSavedAsItDidBefore) {
   }
   Trainer other(brief("merge", 12), {.envs = 3, .workers = 2, .seed = 99});
   for (Trainer* again : {&t, &other}) {
-    again->env.restore(*saved, again->arrays());
+    again->env.restore(*saved);
     again->decisions = decisions;
     for (const auto& seen : before) {
       again->step();
@@ -115,7 +115,7 @@ TEST(VectorEnv, GoesOnFromWhatWasSavedAsItDidBefore) {
     }
   }
   Trainer alone(brief("merge", 12), {.envs = 2});
-  EXPECT_THROW(alone.env.restore(*saved, alone.arrays()), std::invalid_argument);
+  EXPECT_THROW(alone.env.restore(*saved), std::invalid_argument);
 }
 
 TEST(VectorEnv, BeginsEachEpisodeElsewhereAndTheSameOneForTheSameSeed) {
@@ -135,7 +135,7 @@ TEST(VectorEnv, BeginsEachEpisodeElsewhereAndTheSameOneForTheSameSeed) {
   EXPECT_EQ(t.env.finished(0).outcome, scenario::Outcome::time);
   EXPECT_TRUE(t.truncated[0]);
   EXPECT_FALSE(t.terminated[0]);
-  t.env.reset_one(1, seed, t.arrays());
+  t.env.reset_one(1, seed);
   EXPECT_EQ(place(1), first);
 }
 
@@ -146,7 +146,7 @@ TEST(VectorEnv, TellsAnEndByDeathFromAnEndByTime) {
   while (!t.over[0]) {
     t.act();
     t.actions = {0, -1, 1, 1, -1, -1};
-    t.env.step(t.actions, t.arrays());
+    t.env.step(t.actions);
     sum[0] += t.rewards[0];
     ASSERT_LT(t.decisions, 2000U);
   }
@@ -254,23 +254,20 @@ TEST(VectorEnv, RefusesWhatCannotBeDoneBeforeAnythingChanges) {
   const std::uint64_t hash = t.env.world(1).hash();
   t.act();
   t.actions[t.env.shape().action * 5 + 1] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(words([&] { t.env.step(t.actions, t.arrays()); }),
+  EXPECT_EQ(words([&] { t.env.step(t.actions); }),
             "action altitude_change of eagle2 in environment 1 is not a number");
   t.act();
-  EXPECT_EQ(words([&] { t.env.step(std::span(t.actions).first(3), t.arrays()); }),
+  EXPECT_EQ(words([&] { t.env.step(std::span(t.actions).first(3)); }),
             "actions: 3 numbers, expected 48");
-  Arrays cut = t.arrays();
-  cut.masks = cut.masks.first(1);
-  EXPECT_EQ(words([&] { t.env.step(t.actions, cut); }), "masks: 1 numbers, expected 48");
   EXPECT_EQ(t.env.world(1).hash(), hash);
-  EXPECT_THROW(t.env.reset_one(2, 1, t.arrays()), std::invalid_argument);
+  EXPECT_THROW(t.env.reset_one(2, 1), std::invalid_argument);
   const Options many{.envs = 1'000'000, .keep_episodes = 1'000'000};
   EXPECT_TRUE(
       words([&] { Trainer(task("merge"), many); }).starts_with("1000000 environments need "));
 
   // beyond the bounds is taken as the bound
   std::fill(t.actions.begin(), t.actions.end(), 1e30F);
-  t.env.step(t.actions, t.arrays());
+  t.env.step(t.actions);
 }
 
 TEST(VectorEnv, RefusesActionsOfTheDead) {
@@ -280,16 +277,16 @@ TEST(VectorEnv, RefusesActionsOfTheDead) {
   while (t.alive[0]) {  // the lead flies into the ground
     std::fill(t.actions.begin(), t.actions.end(), 0.0F);
     t.actions[1] = -1;
-    t.env.step(t.actions, t.arrays());
+    t.env.step(t.actions);
     ASSERT_FALSE(t.over[0]);
   }
   EXPECT_TRUE(t.terminated[0]);
   EXPECT_TRUE(t.alive[1]);
   EXPECT_EQ(t.masks[0], 0) << "nothing can be done";
-  EXPECT_EQ(words([&] { t.env.step(t.actions, t.arrays()); }),
+  EXPECT_EQ(words([&] { t.env.step(t.actions); }),
             "eagle1 in environment 0 is dead: its actions must be 0");
   t.actions[1] = 0;
-  t.env.step(t.actions, t.arrays());
+  t.env.step(t.actions);
   EXPECT_FALSE(t.terminated[0]) << "said once";
 }
 
