@@ -7,7 +7,7 @@
 
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
-#include "dis/station.hpp"
+#include "dis/incoming.hpp"
 #include "live.hpp"
 #include "net/endpoint.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dis/emissions.hpp"
-
+/// \file  What others hear of radars, seekers and jammers.
 #include <algorithm>
 
+#include "dis/announcer.hpp"
 #include "model/jamming.hpp"
 
 namespace eyrie::dis {

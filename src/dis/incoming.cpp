@@ -2,6 +2,7 @@
 #include "dis/incoming.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 namespace eyrie::dis {
@@ -57,6 +58,24 @@ bool finite(const T&... values) {
 }
 
 }  // namespace
+
+std::optional<Station> station_of(std::string_view text) {
+  Station station;
+  const char *at = text.data(), *const end = at + text.size();
+  bool good = true;
+  const auto take = [&](auto& number, std::uint16_t most, bool last) {
+    if (!good)
+      return;
+    const auto [next, failed] = std::from_chars(at, end, number);
+    good = failed == std::errc{} && number > 0 && number <= most &&
+           (last ? next == end : next != end && *next == '.');
+    at = next + (last ? 0 : 1);
+  };
+  take(station.exercise, 255, false);
+  take(station.site, 65534, false);
+  take(station.application, 65534, true);
+  return good ? std::optional(station) : std::nullopt;
+}
 
 std::string_view words_of(Unused why) {
   static constexpr std::array<std::string_view, 11> kWords{

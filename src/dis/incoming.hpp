@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What comes in from the network: which of it is for us and new, and when it was so.
+/// \file  Who we are in an exercise, and what comes in from the network: which of it is for us and
+/// new, and when it was so.
 #include <map>
+#include <optional>
+#include <string_view>
 
-#include "dis/station.hpp"
+#include "dis/dead_reckoning.hpp"
 
 namespace eyrie::dis {
+
+/// Who we are in an exercise of several simulations.
+struct Station {
+  std::uint8_t exercise = 1;
+  std::uint16_t site = 1, application = 1;
+  Thresholds thresholds;
+
+  /// One of its entities; 0: the application itself.
+  [[nodiscard]] EntityId entity(std::uint16_t number) const { return {site, application, number}; }
+};
+
+/// "1.1.1": exercise (1 to 255), site and application (1 to 65534). Nothing if it is another text.
+[[nodiscard]] std::optional<Station> station_of(std::string_view text);
 
 /// The words behind a number of what is not used: "of another exercise".
 [[nodiscard]] std::string_view words_of(Unused why);

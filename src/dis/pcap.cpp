@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "dis/station.hpp"
+#include "dis/pdu.hpp"
 
 namespace eyrie::dis {
 namespace {

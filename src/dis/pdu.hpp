@@ -12,6 +12,9 @@
 
 namespace eyrie::dis {
 
+/// UDP port at which simulations expect DIS.
+inline constexpr std::uint16_t kPort = 3000;
+
 /// 6.2.28: who, in all the exercise.
 struct EntityId {
   std::uint16_t site = 0, application = 0, entity = 0;
