@@ -28,7 +28,7 @@ class Meter final : public sim::Observer {
     time_ = info.time();
     for (const sim::Event& e : events)
       happened(world, e);
-    if (world.step() % std::max<std::uint64_t>(1, static_cast<std::uint64_t>(0.1 / dt_ + 0.5)) == 0)
+    if (world.step() % record::steps_in(0.1, dt_) == 0)
       look(world);
   }
   Health take() {
@@ -264,42 +264,24 @@ void Steadiness::stop() {
 }
 
 void Health::add(const Health& o) {
-  const auto append = [](auto& to, const auto& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
-  runs += o.runs;
-  pursued += o.pursued;
-  reversals += o.reversals;
-  turned += o.turned;
-  gained += o.gained;
-  append(pursuit_mach, o.pursuit_mach);
-  append(launch_mach, o.launch_mach);
-  append(merged_mach, o.merged_mach);
+  for (const auto sum :
+       {&Health::runs, &Health::reversals, &Health::killed, &Health::missiles, &Health::at_the_dead,
+        &Health::fratricides, &Health::engagements, &Health::target_changes, &Health::wvr,
+        &Health::wvr_seen, &Health::defenses, &Health::for_others, &Health::near_mates,
+        &Health::collisions, &Health::recommits, &Health::recommits_lost, &Health::undecided,
+        &Health::left_fighting})
+    this->*sum += o.*sum;
+  for (const auto sum : {&Health::pursued, &Health::turned, &Health::gained})
+    this->*sum += o.*sum;
+  for (const auto all : {&Health::pursuit_mach, &Health::launch_mach, &Health::merged_mach})
+    (this->*all).insert((this->*all).end(), (o.*all).begin(), (o.*all).end());
   for (std::size_t i = 0; i < kBins; ++i) {
     by_zone[i].shots += o.by_zone[i].shots;
     by_zone[i].kills += o.by_zone[i].kills;
   }
-  missiles += o.missiles;
-  killed += o.killed;
-  at_the_dead += o.at_the_dead;
-  fratricides += o.fratricides;
-  engagements += o.engagements;
-  target_changes += o.target_changes;
-  wvr += o.wvr;
-  wvr_seen += o.wvr_seen;
-  defenses += o.defenses;
-  for_others += o.for_others;
-  near_mates += o.near_mates;
-  collisions += o.collisions;
-  recommits += o.recommits;
-  recommits_lost += o.recommits_lost;
-  undecided += o.undecided;
-  left_fighting += o.left_fighting;
-  for (std::size_t i = 0; i < 2; ++i) {
-    lost[i] += o.lost[i];
-    players[i] += o.players[i];
-    won[i] += o.won[i];
-  }
+  for (const auto sides : {&Health::lost, &Health::players, &Health::won})
+    for (std::size_t i = 0; i < 2; ++i)
+      (this->*sides)[i] += (o.*sides)[i];
 }
 
 Health measure(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t seed) {
