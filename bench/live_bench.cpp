@@ -14,7 +14,7 @@
 #include "net/precedence.hpp"
 #include "net/telemetry_host.hpp"
 #include "record/acmi.hpp"
-#include "record/csv.hpp"
+#include "record/event_table.hpp"
 #include "record/run_file.hpp"
 #include "scenario/mission.hpp"
 #include "support/live_viewer.hpp"

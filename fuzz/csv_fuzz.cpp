@@ -10,7 +10,7 @@
 #include "debrief/decision.hpp"
 #include "fuzz/memory_file.hpp"
 #include "fuzz/recorded_flight.hpp"
-#include "record/csv.hpp"
+#include "record/event_table.hpp"
 #include "tables/csv_files.hpp"
 
 namespace {

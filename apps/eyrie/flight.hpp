@@ -8,7 +8,7 @@
 #include "net/precedence.hpp"
 #include "net/telemetry_host.hpp"
 #include "record/acmi.hpp"
-#include "record/csv.hpp"
+#include "record/event_table.hpp"
 #include "record/names.hpp"
 #include "record/run_file.hpp"
 #include "record/story.hpp"

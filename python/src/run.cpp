@@ -7,7 +7,6 @@
 #include "debrief/what_if.hpp"
 #include "disk/output.hpp"
 #include "record/acmi.hpp"
-#include "record/csv.hpp"
 #include "record/json_text.hpp"
 #include "record/story.hpp"
 #include "tables/decision_rows.hpp"

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "campaign/store.hpp"
-#include "record/csv.hpp"
+#include "record/event_table.hpp"
 
 namespace eyrie::campaign {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/text.hpp"
 #include "debrief/why.hpp"
-#include "record/csv.hpp"
+#include "record/event_table.hpp"
 #include "record/json_text.hpp"
 #include "record/names.hpp"
 #include "record/story.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record/csv.hpp"
+#include "record/event_table.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -5,7 +5,7 @@
 
 #include <iterator>
 
-#include "record/csv.hpp"
+#include "record/event_table.hpp"
 
 namespace eyrie::tables {
 

@@ -8,7 +8,7 @@
 #include "disk/sink.hpp"
 #include "pilot/pilot_system.hpp"
 #include "record/acmi.hpp"
-#include "record/csv.hpp"
+#include "record/event_table.hpp"
 #include "record/run_file.hpp"
 #include "record/story.hpp"
 #include "sim/trail.hpp"
