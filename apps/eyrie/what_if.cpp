@@ -10,7 +10,6 @@
 #include "commands.hpp"
 #include "core/text.hpp"
 #include "debrief/look.hpp"
-#include "debrief/moved_votes.hpp"
 #include "debrief/what_if.hpp"
 #include "disk/sink.hpp"
 #include "locate.hpp"

@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "core/text.hpp"
-#include "debrief/why.hpp"
 #include "record/event_table.hpp"
 #include "record/json_text.hpp"
 #include "record/names.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What a decision (team/decision.hpp) says in words.
+/// \file  What a decision (team/decision.hpp) says in words, and who won in it because of what.
 #include <nlohmann/json_fwd.hpp>
 
 #include "driver/driver_system.hpp"
@@ -32,6 +32,13 @@ template <class System>
       return found;
   return nullptr;
 }
+
+/// "voted 40 against 10", or how else a field was won.
+[[nodiscard]] std::string reason(const Won& won);
+/// What a node has to say of itself: "failed: no target", "not asked", "running, 40".
+[[nodiscard]] std::string words(const Answer& answer);
+/// Why somebody else leads now: what became of who led before (an index into now.nodes).
+[[nodiscard]] std::string why_not(const Decision& now, ubf::NodeIndex before);
 
 // Decisions for the terminal and for tools, with texts of files escaped as each of them needs it.
 

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "debrief/why.hpp"
-
 namespace eyrie::debrief {
 namespace {
 

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.hpp"
-#include "debrief/why.hpp"
 #include "record/json_text.hpp"
 #include "record/names.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "debrief/moved_votes.hpp"
-
+/// \file  Votes in a scenario with other trees.
 #include <algorithm>
 
+#include "debrief/what_if.hpp"
 #include "pilot/outside.hpp"
 
 namespace eyrie::debrief {

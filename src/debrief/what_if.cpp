@@ -2,7 +2,6 @@
 #include "debrief/what_if.hpp"
 
 #include "core/yaml.hpp"
-#include "debrief/moved_votes.hpp"
 #include "scenario/source.hpp"
 
 namespace eyrie::debrief {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "debrief/why.hpp"
+/// \file  Who won in a decision, and because of what.
+#include <fmt/ranges.h>
+
+#include "debrief/decision.hpp"
 
 namespace eyrie::debrief {
 namespace {

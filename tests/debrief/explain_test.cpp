@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "debrief/decision.hpp"
-#include "debrief/moved_votes.hpp"
 #include "debrief/recorded.hpp"
 #include "debrief/what_if.hpp"
 #include "pilot/outside.hpp"
