@@ -135,11 +135,16 @@ Json value_json(const Value& value) {
     j["unit"] = value.unit;
   return j;
 }
+/// What `make` gives for each.
+template <class T, class Make>
+Json list_json(const std::vector<T>& all, Make make) {
+  Json list = Json::array();
+  for (const T& one : all)
+    list.push_back(make(one));
+  return list;
+}
 Json values_json(const std::vector<Value>& values) {
-  Json all = Json::array();
-  for (const Value& value : values)
-    all.push_back(value_json(value));
-  return all;
+  return list_json(values, value_json);
 }
 
 Json answer_json(const Answer& answer) {
@@ -166,13 +171,13 @@ Json won_json(const Decision& d, const Won& won) {
   Json j = value_json(won.value);
   j["winner"] = won.winner == ubf::kNone ? Json() : Json(d.nodes[won.winner].path);
   j["reason"] = reason(won);
-  j["rivals"] = Json::array();
-  for (const Rival& rival : won.rivals)
-    j["rivals"].push_back({{"node", d.nodes[rival.node].path},
-                           {"value", value_json(rival.value)},
-                           {"vote", rival.vote},
-                           {"against", rival.against},
-                           {"blended", rival.blended}});
+  j["rivals"] = list_json(won.rivals, [&](const Rival& rival) -> Json {
+    return {{"node", d.nodes[rival.node].path},
+            {"value", value_json(rival.value)},
+            {"vote", rival.vote},
+            {"against", rival.against},
+            {"blended", rival.blended}};
+  });
   return j;
 }
 
@@ -261,22 +266,16 @@ Json decision_json(const Decision& d, const scenario::Roster& roster) {
          {"status", ubf::to_text(d.status)},
          {"vote", d.vote},
          {"leader", d.leader == ubf::kNone ? Json() : Json(d.nodes[d.leader].path)}};
-  j["action"] = Json::array();
-  for (const Won& won : d.action)
-    j["action"].push_back(won_json(d, won));
+  j["action"] = list_json(d.action, [&](const Won& won) { return won_json(d, won); });
   if (!d.overruled.empty())
-    j["overruled"] = Json::array();
-  for (const team::Changed& field : d.overruled)
-    j["overruled"].push_back(
-        {{"name", field.name}, {"tree", field.flown}, {"outside", field.other}});
-  j["nodes"] = Json::array();
-  for (const Answer& answer : d.nodes)
-    j["nodes"].push_back(answer_json(answer));
+    j["overruled"] = list_json(d.overruled, [](const Changed& field) -> Json {
+      return {{"name", field.name}, {"tree", field.flown}, {"outside", field.other}};
+    });
+  j["nodes"] = list_json(d.nodes, answer_json);
   j["state"] = values_json(d.state);
-  j["perceived"] = Json::array();
-  for (const Perceived& one : d.perceived)
-    j["perceived"].push_back(
-        {{"kind", one.kind}, {"name", one.name}, {"values", values_json(one.values)}});
+  j["perceived"] = list_json(d.perceived, [](const Perceived& one) -> Json {
+    return {{"kind", one.kind}, {"name", one.name}, {"values", values_json(one.values)}};
+  });
   return j;
 }
 

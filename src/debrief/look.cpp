@@ -64,25 +64,18 @@ class EventTimes final : public sim::Observer {
   bool released_ = false;
 };
 
-/// explain, with where each node stands in the document.
-class Explainer {
- public:
-  explicit Explainer(const Recorded& recorded)
-      : scenario_(*recorded.scenario), paths_(tree_paths(recorded)) {}
-
-  std::optional<Decision> operator()(const Reflight& flight, PlayerId who) const {
-    auto decision = explain(scenario_, flight.before(), flight.after(), who, flight.orders());
+/// explain(flight, who), with where each node stands in the document.
+auto explainer(const Recorded& recorded) {
+  return [&scenario = *recorded.scenario, paths = tree_paths(recorded)](const Reflight& flight,
+                                                                        PlayerId who) {
+    auto decision = explain(scenario, flight.before(), flight.after(), who, flight.orders());
     if (decision)
       for (Answer& node : decision->nodes)
-        if (const auto at = paths_.find(node.where.text()); at != paths_.end())
+        if (const auto at = paths.find(node.where.text()); at != paths.end())
           node.document = at->second;
     return decision;
-  }
-
- private:
-  const scenario::Scenario& scenario_;
-  std::map<std::string, std::string> paths_;
-};
+  };
+}
 
 team::LastDecision last_decision(const scenario::Scenario& scenario, const sim::World& world,
                                  PlayerId who) {
@@ -102,8 +95,7 @@ Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
   Reflight flight(recorded);
   EventTimes events(*recorded.scenario, who, wanted.event);
   flight.attach(events);
-  const Explainer explainer(recorded);
-  const auto explain = [&] { return explainer(flight, who); };
+  const auto explain = [&, of = explainer(recorded)] { return of(flight, who); };
 
   std::optional<Decision> last;         // for events between two decisions
   std::map<double, Decision> released;  // s
@@ -200,7 +192,7 @@ std::vector<Moment> key_moments(const Recorded& recorded, const std::function<bo
     }
   }
   constexpr double kLongest = 2;  // s, between two decisions
-  const Explainer explain(recorded);
+  const auto explain = explainer(recorded);
   Reflight flight(recorded);
   while (!stop() && flight.step())
     for (Moment& moment : moments)

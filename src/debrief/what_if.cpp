@@ -125,23 +125,20 @@ bool any_remembers(const scenario::Scenario& scenario) {
 /// Puts into a world of `other`, which was flown as recorded up to there, what its trees would
 /// remember. Memory of the trees that were flown means nothing to them.
 void remember(const Recorded& recorded, const scenario::Scenario& other, sim::World& world) {
-  std::vector<OtherTrees> players;
-  const auto each_row = [&](auto use) {
-    for (std::size_t f = 0, n = 0; f < other.fleets.size(); ++f)
-      for (std::size_t row = 0; row < other.fleets[f]->rows(world); ++row)
-        use(f, row, n++);
-  };
-  each_row([&](std::size_t f, std::size_t row, std::size_t) {
-    players.emplace_back(*recorded.scenario->fleets[f], *other.fleets[f],
-                         other.fleets[f]->id(world, row));
-  });
+  std::vector<std::pair<OtherTrees, std::size_t>> players;  // with their rows
+  for (std::size_t f = 0; f < other.fleets.size(); ++f)
+    for (std::size_t row = 0; row < other.fleets[f]->rows(world); ++row)
+      players.emplace_back(OtherTrees(*recorded.scenario->fleets[f], *other.fleets[f],
+                                      other.fleets[f]->id(world, row)),
+                           row);
   if (any_remembers(other)) {
     Reflight flight(recorded, recorded.scenario->world(recorded.run.seed));
     while (flight.after().step() < world.step() && flight.step())
-      for (OtherTrees& player : players)
-        player.look(flight, [](const auto&, const auto&) {});
+      for (auto& [trees, row] : players)
+        trees.look(flight, [](const auto&, const auto&) {});
   }
-  each_row([&](std::size_t, std::size_t row, std::size_t n) { players[n].remember(world, row); });
+  for (auto& [trees, row] : players)
+    trees.remember(world, row);
 }
 
 /// The tree that a player begins with.
@@ -151,13 +148,6 @@ std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
     return "";
   const auto tree = found->fleet.agents->last_decision(*scenario.start, found->row).tree;
   return tree < found->fleet.trees.size() ? std::string(found->fleet.trees[tree]->name()) : "";
-}
-
-std::vector<std::string> trees_of(const scenario::Scenario& scenario) {
-  std::vector<std::string> names;
-  for (const ubf::AnyTree* tree : scenario.all_trees())
-    names.emplace_back(tree->name());
-  return names;
 }
 
 /// The paths of the nodes of the tree of that name, whoever uses it, in pre-order.
@@ -190,8 +180,9 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
   if (tree.empty())
     return wrong(0, fmt::format("{} begins with no tree", scenario.roster.name(who)));
   if (paths.empty())
-    return wrong(0, fmt::format("there is no tree {}{}", quote(tree),
-                                did_you_mean(tree, trees_of(scenario))));
+    return wrong(
+        0, fmt::format("there is no tree {}{}", quote(tree),
+                       did_you_mean(tree, listed(scenario.all_trees(), &ubf::AnyTree::name))));
   for (const std::string& path : paths)  // one with a '=' in a label
     if (path.starts_with(node) && text.compare(begin, path.size(), path) == 0)
       equals = std::max(equals, std::min(text.find('=', begin + path.size()), text.size()));
