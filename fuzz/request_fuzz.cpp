@@ -3,7 +3,7 @@
 /// words, or he is shown out with a reason that fits into a frame. A mission that obeys flies on.
 #include "fuzz/demand.hpp"
 #include "fuzz/shipped.hpp"
-#include "live/request.hpp"
+#include "live/exercise.hpp"
 
 namespace {
 
