@@ -62,37 +62,31 @@ class DatagramSocket {
   int file_;
 };
 
-class Socket {
- public:
-  explicit Socket(const DatagramOptions& options) {
-    const in_addr to = ipv4_of(options.to.address);
-    const bool group = IN_MULTICAST(ntohl(to.s_addr));
-    socket_.set(SOL_SOCKET, SO_BROADCAST, 1);
-    if (group || !options.interface.empty()) {
-      const in_addr from = ipv4_of(options.interface.empty() ? "127.0.0.1" : options.interface);
-      socket_.bind(from, 0);
-      if (group) {
-        socket_.set(IPPROTO_IP, IP_MULTICAST_IF, from);
-        socket_.set(IPPROTO_IP, IP_MULTICAST_LOOP, 1);  // others on this machine hear it, too
-      }
-    }
-    socket_.connect(to, options.to.port);
-  }
-
-  /// errno, or 0.
-  [[nodiscard]] int send(std::span<const std::byte> bytes) const {
-    for (;;) {
-      if (::send(socket_.file(), bytes.data(), bytes.size(), MSG_NOSIGNAL) >= 0)
-        return 0;
-      // of an earlier one, that nobody listens there now: somebody may later
-      if (errno != EINTR && errno != ECONNREFUSED)
-        return errno;
+void aim(const DatagramSocket& socket, const DatagramOptions& options) {
+  const in_addr to = ipv4_of(options.to.address);
+  const bool group = IN_MULTICAST(ntohl(to.s_addr));
+  socket.set(SOL_SOCKET, SO_BROADCAST, 1);
+  if (group || !options.interface.empty()) {
+    const in_addr from = ipv4_of(options.interface.empty() ? "127.0.0.1" : options.interface);
+    socket.bind(from, 0);
+    if (group) {
+      socket.set(IPPROTO_IP, IP_MULTICAST_IF, from);
+      socket.set(IPPROTO_IP, IP_MULTICAST_LOOP, 1);  // others on this machine hear it, too
     }
   }
+  socket.connect(to, options.to.port);
+}
 
- private:
-  DatagramSocket socket_;
-};
+/// errno, or 0.
+int send_to_aim(const DatagramSocket& socket, std::span<const std::byte> bytes) {
+  for (;;) {
+    if (::send(socket.file(), bytes.data(), bytes.size(), MSG_NOSIGNAL) >= 0)
+      return 0;
+    // of an earlier one, that nobody listens there now: somebody may later
+    if (errno != EINTR && errno != ECONNREFUSED)
+      return errno;
+  }
+}
 
 constexpr int kLook = 50;  // ms between two looks whether it is over
 
@@ -127,7 +121,8 @@ struct DatagramSender::Line {
     std::size_t size = 0;
   };
 
-  explicit Line(const DatagramOptions& options) : socket(options), slots(options.slots) {
+  explicit Line(const DatagramOptions& options) : slots(options.slots) {
+    aim(socket, options);
     thread = std::thread([this] { run(); });
   }
 
@@ -137,7 +132,8 @@ struct DatagramSender::Line {
       const bool last = closing.load(std::memory_order_acquire);
       for (; taken != put.load(std::memory_order_acquire); ++taken) {
         const Slot& slot = slots[taken % slots.size()];
-        if (const int error = socket.send(std::span(slot.bytes).first(slot.size)); error == 0) {
+        const int error = send_to_aim(socket, std::span(slot.bytes).first(slot.size));
+        if (error == 0) {
           ++counts.sent;
           counts.bytes += slot.size;
         } else if (counts.failed++ == 0) {
@@ -154,7 +150,7 @@ struct DatagramSender::Line {
     calls.notify_one();
   }
 
-  Socket socket;
+  DatagramSocket socket;
   std::vector<Slot> slots;
   std::atomic<std::uint64_t> put = 0, taken = 0;
   std::atomic<std::uint32_t> calls = 0;
