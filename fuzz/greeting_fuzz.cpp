@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "net/endpoint.hpp"
-#include "net/telemetry.hpp"
+#include "net/telemetry_host.hpp"
 
 namespace {
 

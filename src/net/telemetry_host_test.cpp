@@ -7,7 +7,6 @@
 #include <fstream>
 #include <system_error>
 
-#include "net/telemetry.hpp"
 #include "support/soon.hpp"
 #include "support/tcp_client.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "net/telemetry.hpp"
+#include "net/telemetry_host.hpp"
 
 #include <gtest/gtest.h>
 

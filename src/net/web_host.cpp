@@ -9,7 +9,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "net/guests.hpp"
+#include "net/listener.hpp"
 
 namespace eyrie::net {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "net/telemetry.hpp"
+#include "net/telemetry_host.hpp"
 #include "support/acmi_reader.hpp"
 #include "support/program.hpp"
 #include "support/soon.hpp"
