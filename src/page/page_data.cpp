@@ -190,17 +190,14 @@ class Writer final : public Packer {
  private:
   void tell(const record::StoryLine& line) {
     constexpr const char* kTones[] = {"plain", "blue", "red", "kill", "phase"};
-    const bool is_player = scenario_.roster.find(line.player);
-    lines_.push_back(
-        {{"t", line.time},
-         {"kind", model::event_name(line.kind)},
-         {"tone", kTones[static_cast<std::size_t>(line.tone)]},
-         {"who", is_player ? static_cast<int>(line.player.value) - 1 : -1},
-         {"name", line.who},
-         {"text", line.text},
-         {"decider",
-          scenario_.roster.find(line.decider) ? static_cast<int>(line.decider.value) - 1 : -1},
-         {"decided", line.decided}});
+    lines_.push_back({{"t", line.time},
+                      {"kind", model::event_name(line.kind)},
+                      {"tone", kTones[static_cast<std::size_t>(line.tone)]},
+                      {"who", index_of(scenario_.roster, line.player)},
+                      {"name", line.who},
+                      {"text", line.text},
+                      {"decider", index_of(scenario_.roster, line.decider)},
+                      {"decided", line.decided}});
   }
 
   [[nodiscard]] static std::string whole(const Json& document, const ColumnBytes& columns) {

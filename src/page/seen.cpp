@@ -48,7 +48,7 @@ void Sights::add_state(const State& state) {
 void Sights::add_track(std::uint32_t id, PlayerId truth, model::Identity identity, bool target,
                        const Vec3& position, double age) {
   const OnMap at = on_map(scenario_.library->reference, position);
-  const double player = scenario_.roster.find(truth) ? truth.value - 1.0 : -1.0;
+  const double player = index_of(scenario_.roster, truth);
   tracks_.add({static_cast<double>(id), player, static_cast<double>(identity), target ? 1.0 : 0.0,
                at.east, at.north, at.up, age});
 }
@@ -297,17 +297,14 @@ Json Motions::player(std::size_t index, ColumnBytes& bytes) const {
 }
 
 Json Motions::missiles(ColumnBytes& bytes) const {
-  const auto index = [&](PlayerId id) {
-    return scenario_.roster.find(id) ? static_cast<int>(id.value) - 1 : -1;
-  };
   Json all = Json::array();
   for (const auto& [id, m] : missiles_)
     if (!m.motion.empty() && !m.told)
       all.push_back({{"id", id},
                      {"type", m.type},
                      {"side", scenario::side_name(m.side)},
-                     {"shooter", index(m.shooter)},
-                     {"target", index(m.target)},
+                     {"shooter", index_of(scenario_.roster, m.shooter)},
+                     {"target", index_of(scenario_.roster, m.target)},
                      {"born", m.born.value_or(0)},
                      {"gone", m.gone.value_or(time_)},
                      {"active", std::isnan(m.active) ? Json() : Json(m.active)},

@@ -12,6 +12,11 @@
 
 namespace eyrie::page {
 
+/// A player's place in the roster; -1: it is none.
+[[nodiscard]] inline int index_of(const scenario::Roster& roster, PlayerId who) {
+  return roster.find(who) ? static_cast<int>(who.value) - 1 : -1;
+}
+
 /// A place in the scenario's local frame as one on the map.
 struct OnMap {
   double east = 0, north = 0, up = 0, turn = 0;
