@@ -196,9 +196,6 @@ void VectorEnv::read_learners() {
 }
 
 void VectorEnv::read_opponents() {
-  std::vector<std::string> trees;
-  for (const auto& tree : *scenario_->trees)
-    trees.emplace_back(tree.name());
   for (const Opponent& opponent : task_.opponents) {
     const auto id = scenario_->roster.find(opponent.player);
     if (!id)
@@ -215,7 +212,7 @@ void VectorEnv::read_opponents() {
       const auto tree = scenario_->trees->find(name);
       if (!tree)
         refuse("opponent {}: there is no tree {}{}", quote(opponent.player), quote(name),
-               nearest_or_all(name, trees));
+               nearest_or_all(name, listed(*scenario_->trees, &pilot::Tree::name)));
       choice.trees.push_back(*tree);
     }
     choices_.push_back(std::move(choice));
