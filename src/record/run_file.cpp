@@ -12,30 +12,10 @@ constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::size_t kChecksum = sizeof(std::uint64_t);
 constexpr std::size_t kLargest = std::size_t{1} << 30;  // a day of a hundred players is 1 % of it
 
-class Writer {
- public:
-  template <class T>
-  void number(T x) {
-    put_number(out_, x);
-  }
-  void text(std::string_view s) {
-    number<std::uint64_t>(s.size());
-    out_.append(s);
-  }
-  template <class T>
-  void block(std::span<const T> items) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    number<std::uint64_t>(items.size());
-    raw(items.data(), items.size_bytes());
-  }
-  void raw(const void* data, std::size_t size) {
-    out_.append(static_cast<const char*>(data), size);
-  }
-  [[nodiscard]] std::string take() { return std::move(out_); }
-
- private:
-  std::string out_;
-};
+void put_text(std::string& out, std::string_view text) {
+  put_number<std::uint64_t>(out, text.size());
+  out.append(text);
+}
 
 bool same_bytes(const std::vector<sim::Order>& a, const std::vector<sim::Order>& b) {
   return a.size() == b.size() &&
@@ -66,47 +46,47 @@ RunFile run_file_of(const scenario::Scenario& s, std::uint64_t seed, std::string
 }
 
 std::string RunEncoder::head(const RunFile& run) {
-  Writer w;
-  w.raw(kMagic.data(), kMagic.size());
-  w.number(kRunFileVersion);
-  w.number(kByteOrder);
-  w.text(run.build);
-  w.text(run.scenario);
-  w.number<std::uint64_t>(run.files.size());
+  std::string out(kMagic);
+  put_number(out, kRunFileVersion);
+  put_number(out, kByteOrder);
+  put_text(out, run.build);
+  put_text(out, run.scenario);
+  put_number<std::uint64_t>(out, run.files.size());
   for (const auto& [name, text] : run.files) {
-    w.text(name);
-    w.text(text);
+    put_text(out, name);
+    put_text(out, text);
   }
-  w.number<std::uint64_t>(run.sets.size());
+  put_number<std::uint64_t>(out, run.sets.size());
   for (const std::string& set : run.sets)
-    w.text(set);
-  w.number(run.seed);
-  w.number(run.layout_hash);
-  w.number<std::uint64_t>(run.plugins.size());
+    put_text(out, set);
+  put_number(out, run.seed);
+  put_number(out, run.layout_hash);
+  put_number<std::uint64_t>(out, run.plugins.size());
   for (const scenario::PluginFile& plugin : run.plugins) {
-    w.text(plugin.path);
-    w.number(plugin.hash);
+    put_text(out, plugin.path);
+    put_number(out, plugin.hash);
   }
-  return hashed(w.take());
+  return hashed(std::move(out));
 }
 
 std::string RunEncoder::chunk(std::string_view spans) {
   EYRIE_ASSERT(!spans.empty());
-  Writer w;
-  w.text(spans);
-  return hashed(w.take());
+  std::string out;
+  put_text(out, spans);
+  return hashed(std::move(out));
 }
 
 std::string RunEncoder::tail(std::uint32_t steps_per_second, std::span<const sim::Order> orders,
                              std::string_view outcome) {
-  Writer w;
-  w.text("");  // no more chunks
-  w.number(steps_per_second);
-  w.block(orders);
-  w.text(outcome);
-  std::string bytes = hashed(w.take());
-  put_number(bytes, hasher_.value());
-  return bytes;
+  std::string out;
+  put_text(out, "");  // no more chunks
+  put_number(out, steps_per_second);
+  put_number<std::uint64_t>(out, orders.size());
+  out.append(reinterpret_cast<const char*>(orders.data()), orders.size_bytes());
+  put_text(out, outcome);
+  out = hashed(std::move(out));
+  put_number(out, hasher_.value());
+  return out;
 }
 
 std::string RunEncoder::hashed(std::string bytes) {
