@@ -33,15 +33,6 @@ AcmiSample AcmiWriter::sample_of(const model::Kinematics& k) const {
   return {.step = step_, .pose = pose_of(k, time_)};
 }
 
-std::string AcmiWriter::introduction(const scenario::Roster::Player& player,
-                                     std::string_view type) const {
-  const std::string name = acmi_name(player.name);
-  return fmt::format(",Type={},Name={},CallSign={},Pilot={},Group={},Slot={}{}", type,
-                     acmi_name(player.label), name, name,
-                     acmi_name(scenario_.roster.flights[player.flight].name), player.rank - 1,
-                     coalition(player.side == model::Side::blue));
-}
-
 void AcmiWriter::begin(const sim::World& world, double dt) {
   dt_ = dt;
   players_every_ = steps_in(kPlayers, dt);
@@ -72,8 +63,15 @@ void AcmiWriter::see(PlayerId id, AcmiSample sample) {
 }
 
 void AcmiWriter::introduce(PlayerId id) {
-  objects_.try_emplace(id.value, id,
-                       introduction(*scenario_.roster.find(id), scenario_.fleet_of(id).words.acmi));
+  if (objects_.contains(id.value))
+    return;
+  const scenario::Roster::Player& player = *scenario_.roster.find(id);
+  objects_.try_emplace(
+      id.value, id,
+      fmt::format(",Type={0},Name={1},CallSign={2},Pilot={2},Group={3},Slot={4}{5}",
+                  scenario_.fleet_of(id).words.acmi, acmi_name(player.label),
+                  acmi_name(player.name), acmi_name(scenario_.roster.flights[player.flight].name),
+                  player.rank - 1, coalition(player.side == model::Side::blue)));
 }
 
 void AcmiWriter::see_players(const sim::World& world) {

@@ -158,8 +158,6 @@ class AcmiWriter final : public sim::Observer {
   [[nodiscard]] AcmiSample player(const scenario::Fleet& fleet, const sim::World& world,
                                   std::size_t row);
   [[nodiscard]] AcmiSample sample_of(const model::Kinematics& k) const;
-  [[nodiscard]] std::string introduction(const scenario::Roster::Player& player,
-                                         std::string_view type) const;
   void born(const sim::Event& launch, const sim::World& world);
   void gone(PlayerId id);
   void happened(const sim::Event& event, const sim::World& world);
