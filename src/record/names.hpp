@@ -23,6 +23,12 @@ namespace eyrie::record {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));
 }
 
+/// Whether both are players, and of one side.
+[[nodiscard]] inline bool same_side(const scenario::Roster& roster, PlayerId a, PlayerId b) {
+  const auto *one = roster.find(a), *other = roster.find(b);
+  return one && other && one->side == other->side;
+}
+
 /// Of an event whose values are of a tree (EventValue::is_of_tree): that tree, null if there is
 /// none.
 [[nodiscard]] const ubf::AnyTree* tree_of(const scenario::Scenario& scenario, const sim::Event& e);

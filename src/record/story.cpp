@@ -72,11 +72,6 @@ std::string Story::weapon(const sim::Event& e) const {
   return missile ? missile->label : "gun";
 }
 
-bool Story::same_side(PlayerId a, PlayerId b) const {
-  const auto *first = scenario_.roster.find(a), *second = scenario_.roster.find(b);
-  return first && second && first->side == second->side;
-}
-
 void Story::say(PlayerId who, std::string text, Tone tone, PlayerId decider) {
   const auto* player = scenario_.roster.find(who);
   if (tone == Tone::plain && player)
@@ -123,7 +118,8 @@ void Story::tell(const sim::Event& e) {
   missiles_.note(e);
   switch (kind_) {
     case EventKind::contact:
-      if (!same_side(e.who, e.whom) && first_in_flight(e.kind.value, e.who, e.whom))
+      if (!same_side(scenario_.roster, e.who, e.whom) &&
+          first_in_flight(e.kind.value, e.who, e.whom))
         say(e.who, fmt::format("contact, {}", miles(e.values[0])));
       break;
     case EventKind::identified:
@@ -235,10 +231,6 @@ void Tally::observe(const sim::World&, const sim::StepInfo& info,
   const auto player = [&](PlayerId id) -> OfPlayer* {
     return scenario_.roster.find(id) ? &players_[id.value - 1] : nullptr;
   };
-  const auto own_side = [&](PlayerId a, PlayerId b) {
-    const auto *one = scenario_.roster.find(a), *other = scenario_.roster.find(b);
-    return one && other && one->side == other->side;
-  };
   for (const sim::Event& e : events) {
     OfPlayer* const who = player(e.who);
     const auto fate = fate_of(e);
@@ -262,7 +254,7 @@ void Tally::observe(const sim::World&, const sim::StepInfo& info,
           ++who->shots;
         break;
       case EventKind::kill:
-        if (who && !own_side(e.who, e.whom))
+        if (who && !same_side(scenario_.roster, e.who, e.whom))
           ++who->kills;
         break;
       case EventKind::phase:

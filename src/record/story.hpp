@@ -41,7 +41,6 @@ class Story final : public sim::Observer {
   bool first_in_flight(std::uint16_t what, PlayerId who, PlayerId whom);
   [[nodiscard]] std::string name(PlayerId id) const;
   [[nodiscard]] std::string weapon(const sim::Event& e) const;
-  [[nodiscard]] bool same_side(PlayerId a, PlayerId b) const;
 
   const scenario::Scenario& scenario_;
   Tell tell_;
