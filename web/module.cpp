@@ -4,15 +4,10 @@
 /// "problems": [...]}`.
 #include "web/engine.hpp"
 
-#ifdef __wasm__
 #define EYRIE_EXPORT(name) __attribute__((export_name(name)))
 /// The host is told how far a long answer is, s.
 __attribute__((import_module("eyrie"), import_name("progress"))) extern "C" void eyrie_progress(
     double time);
-#else
-#define EYRIE_EXPORT(name)
-static void eyrie_progress(double) {}
-#endif
 
 namespace {
 std::string g_request, g_answer, g_bytes;
