@@ -12,10 +12,9 @@ docs/python.md tells the rest.
 from ._core import version as __version__
 from ._behavior import Behavior, Proposal, State, behavior, param, propose
 from ._errors import ConfigError, Error, FaultError, MissingError, Problem, RunError
-from ._layout import Field
 from ._run import Explanation, Run, StoryLine, fly, open
 from ._scenario import Player, Scenario, load, scenarios
-from ._tables import Column, Table
+from ._tables import Column, Field, Table
 from ._world import World
 
 __all__ = [

@@ -16,7 +16,7 @@ from . import _core
 from ._arguments import number, path, paths, several, text as checked_text, whole
 from ._behavior import Behavior
 from ._errors import Error
-from ._layout import Layout, layouts_of
+from ._tables import Layout, layouts_of
 
 if TYPE_CHECKING:
     from ._world import World

@@ -13,9 +13,8 @@ import numpy.typing as npt
 from . import _core
 from ._arguments import text, whole
 from ._errors import Error, FaultError
-from ._layout import Field
 from ._scenario import Scenario
-from ._tables import Table, table_of
+from ._tables import Field, Table, table_of
 
 
 class World:
