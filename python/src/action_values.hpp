@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Fields of actions from values of Python.
-#include <nanobind/nanobind.h>
 #include <nanobind/stl/array.h>
-#include <nanobind/stl/string.h>
 
-#include <algorithm>
-#include <array>
-#include <span>
-
-#include "core/diagnostics.hpp"
+#include "common.hpp"
 #include "pilot/action.hpp"
 
 namespace eyrie::python {
-namespace nb = nanobind;
 
 /// Refuses a part that there is not.
 inline void demand_parts(const nb::dict& whole, const char* field,
@@ -21,16 +14,14 @@ inline void demand_parts(const nb::dict& whole, const char* field,
   for (const auto& [key, value] : whole) {
     const auto name = nb::cast<std::string>(key);
     if (std::ranges::find(parts, name) == parts.end())
-      throw nb::value_error(
-          fmt::format("{}: there is no {}{}", field, quote(name), nearest_or_all(name, parts))
-              .c_str());
+      refuse("{}: there is no {}{}", field, quote(name), nearest_or_all(name, parts));
   }
 }
 /// Of a dictionary that stands for a value of several parts.
 template <class T>
 [[nodiscard]] T part_of(const nb::dict& whole, const char* field, const char* part) {
   if (!whole.contains(part))
-    throw nb::value_error(fmt::format("{}: there is no {} in it", field, quote(part)).c_str());
+    refuse("{}: there is no {} in it", field, quote(part));
   return nb::cast<T>(whole[part]);
 }
 [[nodiscard]] inline Vec3 vector_of(const nb::dict& whole, const char* part) {
@@ -44,15 +35,10 @@ template <class T>
 [[nodiscard]] T action_value(std::string_view field, const nb::handle& value) {
   if constexpr (NamedEnum<T>) {
     const auto name = nb::cast<std::string>(value);
-    std::vector<std::string_view> names;
-    for (const auto& [known, meant] : EnumNames<T>::names) {
-      if (known == name)
-        return meant;
-      names.push_back(known);
-    }
-    throw nb::value_error(
-        fmt::format("{}: there is no {}{}", field, quote(name), nearest_or_all(name, names))
-            .c_str());
+    if (const auto meant = enum_named<T>(name))
+      return *meant;
+    static constexpr auto names = enum_names<T>();
+    refuse("{}: there is no {}{}", field, quote(name), nearest_or_all(name, names));
   } else if constexpr (std::is_arithmetic_v<T>) {
     if (nb::isinstance<nb::bool_>(value) && !std::is_same_v<T, bool>)
       throw nb::cast_error();  // Python's True is a number, too
@@ -97,9 +83,7 @@ void set_action_field(Action& action, const std::string& name, const nb::handle&
     }
   });
   if (!found)
-    throw nb::value_error(
-        fmt::format("an action has no field {}{}", quote(name), nearest_or_all(name, names))
-            .c_str());
+    refuse("an action has no field {}{}", quote(name), nearest_or_all(name, names));
 }
 
 }  // namespace eyrie::python

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "behavior.hpp"
-
 #include "action_values.hpp"
-#include "common.hpp"
 #include "core/bind.hpp"
 
 namespace eyrie::python {
@@ -60,6 +57,11 @@ class BehaviorType : public ubf::NodeType, public std::enable_shared_from_this<B
 };
 
 namespace {
+
+void demand_asked(const State& state) {
+  if (!state.read)
+    raise("Error", "a state is gone when the behavior has answered");
+}
 
 /// The tick is over: whoever has kept the state is told so.
 struct Over {
@@ -130,9 +132,7 @@ class Node final : public ubf::Behavior<S, Action> {
     for (const auto& field : fields)
       if (field.info.name == name)
         return field_value(field.info, field.read(state));
-    std::vector<std::string> names;
-    for (const auto& field : fields)
-      names.emplace_back(field.info.name);
+    const auto names = listed(fields, [](const auto& field) { return field.info.name; });
     throw nb::attribute_error(
         fmt::format("there is no state field {}{}", quote(name), nearest_or_all(name, names))
             .c_str());
@@ -158,8 +158,7 @@ class Node final : public ubf::Behavior<S, Action> {
 template <class N>
 void make_for(BehaviorType& type) {
   type.make = [](const ubf::NodeType& self) -> std::unique_ptr<ubf::AnyNode> {
-    auto node = std::make_unique<N>(static_cast<const BehaviorType&>(self).shared_from_this());
-    return node;
+    return std::make_unique<N>(static_cast<const BehaviorType&>(self).shared_from_this());
   };
   type.object = [](ubf::AnyNode& node) -> void* { return &static_cast<N&>(node).values; };
 }
@@ -175,14 +174,9 @@ double in_si(const std::string& parameter, double number, const std::string& uni
   if (unit.empty())
     return number;
   const UnitInfo* info = find_unit(unit);
-  if (!info) {
-    std::vector<std::string_view> names;
-    for (const UnitInfo& one : units())
-      names.push_back(one.symbol);
-    throw nb::value_error(fmt::format("{}: there is no unit {}{}", parameter, quote(unit),
-                                      nearest_or_all(unit, names))
-                              .c_str());
-  }
+  if (!info)
+    refuse("{}: there is no unit {}{}", parameter, quote(unit),
+           nearest_or_all(unit, listed(units(), &UnitInfo::symbol)));
   return to_si(number, *info);
 }
 
@@ -203,11 +197,9 @@ T& put(BehaviorType& type, Parameter& line, const nb::object& value) {
 Behavior behavior(std::string name, std::string help, const std::string& platform,
                   nb::object function, const std::vector<ParameterText>& parameters) {
   if (const auto problem = identifier_problem(name))
-    throw nb::value_error(problem->c_str());
+    refuse("{}", *problem);
   if (parameters.size() > kMostParameters)
-    throw nb::value_error(
-        fmt::format("{}: {} parameters; the most is {}", name, parameters.size(), kMostParameters)
-            .c_str());
+    refuse("{}: {} parameters; the most is {}", name, parameters.size(), kMostParameters);
   auto type = std::make_shared<BehaviorType>();
   type->its_name = std::move(name);
   type->its_help = std::move(help);
@@ -233,9 +225,8 @@ Behavior behavior(std::string name, std::string help, const std::string& platfor
       if (most)
         line.limits.max = in_si(its_name, *most, unit);
       if (!std::isfinite(number) || !line.limits.contains(number))
-        throw nb::value_error(fmt::format("{}: its default {}{}{} is outside its limits", its_name,
-                                          nb::cast<double>(value), unit.empty() ? "" : " ", unit)
-                                  .c_str());
+        refuse("{}: its default {}{}{} is outside its limits", its_name, nb::cast<double>(value),
+               unit.empty() ? "" : " ", unit);
     }
     type->lines.push_back(line);
   }
@@ -270,8 +261,7 @@ void add_behavior(nb::module_& m) {
       .def(
           "random",
           [](const State& s) {
-            if (!s.read)
-              raise("Error", "a state is gone when the behavior has answered");
+            demand_asked(s);
             return s.random();
           },
           "A number in [0, 1): of seed, player, step, node and how many were "
@@ -281,8 +271,7 @@ void add_behavior(nb::module_& m) {
           [](const State& s, const std::string& name) {
             if (name.starts_with("__"))
               throw nb::attribute_error(name.c_str());
-            if (!s.read)
-              raise("Error", "a state is gone when the behavior has answered");
+            demand_asked(s);
             return s.read(name);
           },
           nb::arg("name"), nb::sig("def __getattr__(self, name: str) -> typing.Any"),

@@ -18,8 +18,8 @@
 
 #include "core/text.hpp"
 #include "debrief/recorded.hpp"
-#include "gil.hpp"
 #include "record/event_table.hpp"
+#include "scenario/plugin.hpp"
 #include "scenario/scenario.hpp"
 
 namespace eyrie::python {
@@ -30,11 +30,19 @@ struct Scenario {
   std::shared_ptr<const scenario::Scenario> loaded;
 };
 
-/// eyrie._core.Recorded. Never changes, so any number of threads may look at
-/// it.
-struct Recorded {
-  debrief::Recorded recorded;
+/// eyrie._core.Recorded. Never changes, so any number of threads may look at it.
+using debrief::Recorded;
+
+class BehaviorType;
+
+/// eyrie._core.Behavior: what a scenario may name. Trees hold it as long as
+/// they live.
+struct Behavior {
+  std::shared_ptr<const BehaviorType> type;
 };
+
+/// Adds them to what the trees of a scenario are made of; nothing for none.
+[[nodiscard]] scenario::AddNodes adds(const std::vector<Behavior>& behaviors);
 
 /// A text of a file, which may be any bytes.
 [[nodiscard]] inline nb::object text(std::string_view bytes) {
@@ -50,6 +58,43 @@ struct Recorded {
 /// Throws eyrie.RunError or another exception of eyrie._errors with these
 /// words.
 [[noreturn]] void raise(const char* type, const std::string& words);
+/// Throws ValueError.
+template <class... T>
+[[noreturn]] void refuse(fmt::format_string<T...> words, T&&... values) {
+  throw nb::value_error(fmt::format(words, std::forward<T>(values)...).c_str());
+}
+
+// --- Leaving Python and coming back, also to an interpreter that is at its end. Before 3.14 Python
+// then ends a daemon thread inside of C++, which aborts the process; here it waits for the end of
+// the process instead.
+
+/// Without the GIL while it lives.
+class GilReleased {
+ public:
+  GilReleased() : state_(PyEval_SaveThread()) {}
+  ~GilReleased();
+  GilReleased(const GilReleased&) = delete;
+  GilReleased& operator=(const GilReleased&) = delete;
+
+ private:
+  PyThreadState* state_;
+};
+
+/// With the GIL while it lives, in any thread.
+class GilHeld {
+ public:
+  GilHeld();
+  ~GilHeld() { PyGILState_Release(state_); }
+  GilHeld(const GilHeld&) = delete;
+  GilHeld& operator=(const GilHeld&) = delete;
+
+ private:
+  PyGILState_STATE state_{};
+};
+
+/// From now on nobody comes back but the thread that calls this, with the GIL, when the interpreter
+/// is about to end.
+void close_the_way_back();
 
 /// Calls `use(stop)` without the GIL and gives what it gives. `stop`, which is
 /// to be asked in every step, tells now and then whether a signal handler wants
@@ -136,7 +181,6 @@ void add_event_columns(TableBuilder& table);
 
 // --- The parts of the module
 
-void add_errors(nb::module_& m);
 void add_behavior(nb::module_& m);
 void add_scenario(nb::module_& m);
 void add_world(nb::module_& m);

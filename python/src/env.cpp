@@ -39,10 +39,8 @@ class VectorEnv {
   void step(const nb::ndarray<const float, nb::ndim<3>, nb::c_contig, nb::device::cpu>& actions) {
     if (actions.shape(0) != shape_.envs || actions.shape(1) != shape_.agents ||
         actions.shape(2) != shape_.action)
-      throw nb::value_error(fmt::format("actions: shape ({}, {}, {}) is not ({}, {}, {})",
-                                        actions.shape(0), actions.shape(1), actions.shape(2),
-                                        shape_.envs, shape_.agents, shape_.action)
-                                .c_str());
+      refuse("actions: shape ({}, {}, {}) is not ({}, {}, {})", actions.shape(0), actions.shape(1),
+             actions.shape(2), shape_.envs, shape_.agents, shape_.action);
     const InUse used = use();
     const std::span<const float> numbers(actions.data(), actions.size());
     const GilReleased released;
@@ -160,9 +158,7 @@ void change(std::vector<train::Reward>& rewards, const Rewards& changes) {
   for (const auto& [name, change] : changes) {
     const auto term = enum_named<train::Term>(name);
     if (!term)
-      throw nb::value_error(
-          fmt::format("rewards: there is no term {}{}", quote(name), nearest_or_all(name, kNames))
-              .c_str());
+      refuse("rewards: there is no term {}{}", quote(name), nearest_or_all(name, kNames));
     auto found = std::find_if(rewards.begin(), rewards.end(),
                               [&](const train::Reward& r) { return r.term == *term; });
     if (found == rewards.end())

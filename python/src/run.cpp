@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  Runs: flown, opened, looked at, kept.
-#include "behavior.hpp"
 #include "common.hpp"
 #include "core/hash.hpp"
 #include "debrief/look.hpp"
@@ -20,7 +19,7 @@ std::tuple<Recorded, std::string> fly(const Scenario& scenario, std::optional<st
                                       std::optional<double> until, unsigned workers) {
   const auto& loaded = scenario.loaded;
   if (const auto problem = until ? scenario::until_problem(loaded->spec, *until) : std::nullopt)
-    throw nb::value_error(("until: " + *problem).c_str());
+    refuse("until: {}", *problem);
   const std::uint64_t its_seed = seed.value_or(loaded->spec.seed);
   std::string fault;
   record::RunFile run = without_gil([&](const auto& stop) {
@@ -41,13 +40,10 @@ std::tuple<Recorded, std::string> fly(const Scenario& scenario, std::optional<st
           scenario::fault_text(*why, loaded->roster, mission.run().simulation().dt()));
     return file;
   });
-  std::vector<std::string> plugins;
-  for (const scenario::PluginFile& plugin : loaded->plugins)
-    plugins.push_back(plugin.path);
-  return {Recorded{{.file = printable(loaded->spec.name),
-                    .run = std::move(run),
-                    .plugins = std::move(plugins),
-                    .scenario = loaded}},
+  return {Recorded{.file = printable(loaded->spec.name),
+                   .run = std::move(run),
+                   .plugins = listed(loaded->plugins, &scenario::PluginFile::path),
+                   .scenario = loaded},
           fault};
 }
 
@@ -63,98 +59,60 @@ Recorded open(const std::string& path, std::vector<std::string> plugins,
   return {std::move(*opened.recorded)};
 }
 
-/// Flies the run again for an observer, to its end.
-template <class Stop>
-void watch(const debrief::Recorded& recorded, std::span<sim::Observer* const> observers,
-           const Stop& stop) {
-  debrief::Reflight flight(recorded);
-  for (sim::Observer* const observer : observers)
-    flight.attach(*observer);
-  while (!stop() && flight.step()) {
-  }
-  for (sim::Observer* const observer : observers)
-    observer->finish(flight.after());
-}
-
-void watch(const Recorded& r, sim::Observer& observer) {
+/// Flies the run again to its end: calls `use(flight)` at its start and after each step.
+template <class Use>
+void fly_again(const Recorded& r, Use use) {
   without_gil([&](const auto& stop) {
-    watch(r.recorded, std::array{&observer}, stop);
+    debrief::Reflight flight(r);
+    do
+      use(flight);
+    while (!stop() && flight.step());
     return true;
   });
 }
 
-class EventRows final : public sim::Observer {
- public:
-  explicit EventRows(const scenario::Scenario& scenario) : names_(scenario) {
-    add_event_columns(table);
-  }
-  void observe(const sim::World&, const sim::StepInfo& info,
-               std::span<const sim::Event> events) override {
-    for (const sim::Event& event : events)
-      table.row(names_.row(event, info));
-  }
-  TableBuilder table;
-
- private:
-  record::EventTable names_;
-};
-
 Columns events(const Recorded& r) {
-  EventRows rows(*r.recorded.scenario);
-  watch(r, rows);
-  return rows.table.take();
-}
-
-class TrackRows final : public sim::Observer {
- public:
-  TrackRows(const scenario::Scenario& scenario, const tables::TrackRates& rates,
-            std::optional<PlayerId> who)
-      : scenario_(scenario), rates_(rates), who_(who), missiles_(scenario) {
-    table.column("player", "", "whose: a player, or a missile as in events", ColumnKind::words);
-    table.column("player_id", "", "its number", ColumnKind::integer);
-    for (const tables::TrackColumn& column : tables::kTrackColumns)
-      table.column(column.name, column.unit, column.help, ColumnKind::number);
-  }
-  void begin(const sim::World& world, double) override { look(world); }
-  void observe(const sim::World& world, const sim::StepInfo&,
-               std::span<const sim::Event> events) override {
-    for (const sim::Event& event : events)
-      missiles_.note(event);
-    look(world);
-  }
   TableBuilder table;
-
- private:
-  void look(const sim::World& world) {
-    tables::each_track(scenario_, world, rates_, [&](PlayerId id, const tables::TrackRow& row) {
-      if (who_ && *who_ != id)
-        return;
-      std::vector<record::Cell> cells{missiles_.name(id), static_cast<double>(id.value)};
-      cells.insert(cells.end(), row.begin(), row.end());
-      table.row(cells);
-    });
-  }
-  const scenario::Scenario& scenario_;
-  tables::TrackRates rates_;
-  std::optional<PlayerId> who_;
-  record::Missiles missiles_;
-};
+  add_event_columns(table);
+  record::EventTable names(*r.scenario);
+  fly_again(r, [&](const debrief::Reflight& flight) {
+    const auto [info, events] = flight.happened();
+    for (const sim::Event& event : events)
+      table.row(names.row(event, info));
+  });
+  return table.take();
+}
 
 Columns tracks(const Recorded& r, const std::optional<std::string>& player,
                std::optional<double> every) {
-  const scenario::Scenario& scenario = *r.recorded.scenario;
-  tables::TrackRates rates;
-  if (every)
-    rates = {*every, *every};
-  TrackRows rows(scenario, rates,
-                 player ? std::optional(player_named(scenario.roster, *player)) : std::nullopt);
-  watch(r, rows);
-  return rows.table.take();
+  const scenario::Scenario& scenario = *r.scenario;
+  const tables::TrackRates rates =
+      every ? tables::TrackRates{*every, *every} : tables::TrackRates{};
+  const auto who = player ? std::optional(player_named(scenario.roster, *player)) : std::nullopt;
+  TableBuilder table;
+  table.column("player", "", "whose: a player, or a missile as in events", ColumnKind::words);
+  table.column("player_id", "", "its number", ColumnKind::integer);
+  for (const tables::TrackColumn& column : tables::kTrackColumns)
+    table.column(column.name, column.unit, column.help, ColumnKind::number);
+  record::Missiles missiles(scenario);
+  fly_again(r, [&](const debrief::Reflight& flight) {
+    for (const sim::Event& event : flight.events())
+      missiles.note(event);
+    tables::each_track(
+        scenario, flight.after(), rates, [&](PlayerId id, const tables::TrackRow& row) {
+          if (who && *who != id)
+            return;
+          std::vector<record::Cell> cells{missiles.name(id), static_cast<double>(id.value)};
+          cells.insert(cells.end(), row.begin(), row.end());
+          table.row(cells);
+        });
+  });
+  return table.take();
 }
 
 Columns decisions(const Recorded& r, const std::optional<std::string>& player, double every,
                   bool changes) {
-  const scenario::Scenario& scenario = *r.recorded.scenario;
+  const scenario::Scenario& scenario = *r.scenario;
   const auto actions = tables::action_columns(scenario);
   TableBuilder table;
   for (const tables::DecisionColumn& column : tables::kDecisionColumns)
@@ -169,7 +127,7 @@ Columns decisions(const Recorded& r, const std::optional<std::string>& player, d
   if (player)
     selection.who = player_named(scenario.roster, *player);
   without_gil([&](const auto& stop) {
-    debrief::Reflight flight(r.recorded);
+    debrief::Reflight flight(r);
     tables::Chooser chooser(selection, actions);
     return tables::each_decision(flight, scenario, chooser, stop, [&](const auto& decision) {
       table.row(tables::decision_row(decision, scenario.roster, actions));
@@ -182,16 +140,15 @@ Columns decisions(const Recorded& r, const std::optional<std::string>& player, d
 std::tuple<std::string, std::string> explain(const Recorded& r, const std::string& player,
                                              std::optional<double> at, double from, double to,
                                              bool changes, const std::string& event) {
-  const scenario::Roster& roster = r.recorded.scenario->roster;
+  const scenario::Roster& roster = r.scenario->roster;
   const PlayerId who = player_named(roster, player);
   const debrief::Wanted wanted{.from = at.value_or(from),
                                .to = to,
                                .once = at.has_value(),
                                .changes = changes,
                                .event = event};
-  if (wanted.from > r.recorded.until())
-    throw nb::value_error(
-        fmt::format("{:g} s: the run ends at {:g} s", wanted.from, r.recorded.until()).c_str());
+  if (wanted.from > r.until())
+    refuse("{:g} s: the run ends at {:g} s", wanted.from, r.until());
   const bool whole = wanted.once || !wanted.event.empty();
   std::string text, json;
   record::JsonList list;
@@ -202,17 +159,16 @@ std::tuple<std::string, std::string> explain(const Recorded& r, const std::strin
     json += list.next(wanted.changes ? debrief::change_json(found, roster)
                                      : debrief::decision_json(found.now, roster));
   };
-  const debrief::Found found = without_gil(
-      [&](const auto& stop) { return debrief::look(r.recorded, who, wanted, use, stop); });
+  const debrief::Found found =
+      without_gil([&](const auto& stop) { return debrief::look(r, who, wanted, use, stop); });
   if (found.count == 0)
-    throw nb::value_error(debrief::nothing_text(player, wanted, found).c_str());
+    refuse("{}", debrief::nothing_text(player, wanted, found));
   return {printable_lines(text), json + list.end()};
 }
 
 std::tuple<std::string, std::string> key_moments(const Recorded& r) {
-  const scenario::Roster& roster = r.recorded.scenario->roster;
-  const auto moments =
-      without_gil([&](const auto& stop) { return debrief::key_moments(r.recorded, stop); });
+  const scenario::Roster& roster = r.scenario->roster;
+  const auto moments = without_gil([&](const auto& stop) { return debrief::key_moments(r, stop); });
   std::string text;
   for (const debrief::Moment& moment : moments) {
     text += fmt::format("{}  {:<8}  {}\n", record::clock_text(moment.line.time), moment.line.who,
@@ -227,10 +183,13 @@ std::tuple<std::string, std::string> key_moments(const Recorded& r) {
 /// (s, who, what), as `eyrie fly` tells it.
 std::vector<std::tuple<double, std::string, std::string>> story(const Recorded& r) {
   std::vector<std::tuple<double, std::string, std::string>> lines;
-  record::Story story(*r.recorded.scenario, [&](const record::StoryLine& line) {
+  record::Story story(*r.scenario, [&](const record::StoryLine& line) {
     lines.emplace_back(line.time, printable(line.who), printable(line.text));
   });
-  watch(r, story);
+  fly_again(r, [&](const debrief::Reflight& flight) {
+    const auto [info, events] = flight.happened();
+    story.observe(flight.after(), info, events);
+  });
   return lines;
 }
 
@@ -245,11 +204,16 @@ std::string save(const Recorded& r, const std::string& folder, bool replace) {
                             .to_replace = "say replace=True"});
     disk::Sink run = out.file(record::kRunFileName), events = out.file(record::kEventsName),
                acmi = out.file(record::kFlightName);
-    run.write(record::encode(r.recorded.run));
-    record::EventsCsv csv(*r.recorded.scenario, events);
-    record::AcmiWriter writer(*r.recorded.scenario,
-                              [&](std::string_view lines) { acmi.write(lines); });
-    watch(r.recorded, std::array<sim::Observer*, 2>{&csv, &writer}, stop);
+    run.write(record::encode(r.run));
+    record::EventsCsv csv(*r.scenario, events);
+    record::AcmiWriter writer(*r.scenario, [&](std::string_view lines) { acmi.write(lines); });
+    debrief::Reflight flight(r);
+    flight.attach(csv);
+    flight.attach(writer);
+    while (!stop() && flight.step()) {
+    }
+    csv.finish(flight.after());
+    writer.finish(flight.after());
     if (stop())
       return std::string();
     for (disk::Sink* sink : {&run, &events, &acmi})
@@ -270,14 +234,13 @@ void add_run(nb::module_& m) {
   m.def("open", &open, arg("path"), arg("plugins"), arg("behaviors"),
         "Opens a run folder or a run file.");
   nb::class_<Recorded>(m, "Recorded", "A run, to be flown again: eyrie.Run says more.")
-      .def_prop_ro("scenario", [](const Recorded& r) { return Scenario{r.recorded.scenario}; })
-      .def_prop_ro("seed", [](const Recorded& r) { return r.recorded.run.seed; })
-      .def_prop_ro("steps", [](const Recorded& r) { return r.recorded.last_step(); })
-      .def_prop_ro("until", [](const Recorded& r) { return r.recorded.until(); })
-      .def_prop_ro("hash",
-                   [](const Recorded& r) { return hash_text(r.recorded.run.trail.last_hash); })
-      .def_prop_ro("outcome", [](const Recorded& r) { return printable(r.recorded.run.outcome); })
-      .def_prop_ro("build", [](const Recorded& r) { return printable(r.recorded.run.build); })
+      .def_prop_ro("scenario", [](const Recorded& r) { return Scenario{r.scenario}; })
+      .def_prop_ro("seed", [](const Recorded& r) { return r.run.seed; })
+      .def_prop_ro("steps", [](const Recorded& r) { return r.last_step(); })
+      .def_prop_ro("until", [](const Recorded& r) { return r.until(); })
+      .def_prop_ro("hash", [](const Recorded& r) { return hash_text(r.run.trail.last_hash); })
+      .def_prop_ro("outcome", [](const Recorded& r) { return printable(r.run.outcome); })
+      .def_prop_ro("build", [](const Recorded& r) { return printable(r.run.build); })
       .def("events", &events, "Everything that happened, as columns.")
       .def("tracks", &tracks, arg("player").none(), arg("every").none(),
            "Where one or everybody was, as columns.")

@@ -3,7 +3,6 @@
 /// of their worlds.
 #include <filesystem>
 
-#include "behavior.hpp"
 #include "common.hpp"
 #include "core/field.hpp"
 #include "scenario/mission.hpp"
@@ -50,10 +49,7 @@ Scenario load_texts(const std::string& file, const Files& files, const Sets& set
 }
 
 Sets plugins_of(const Scenario& s) {
-  Sets paths;
-  for (const scenario::PluginFile& plugin : s.loaded->plugins)
-    paths.push_back(plugin.path);
-  return paths;
+  return listed(s.loaded->plugins, &scenario::PluginFile::path);
 }
 
 /// (name, kind, type, label, side, flight, rank)

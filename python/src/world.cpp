@@ -21,9 +21,8 @@ class World {
       : scenario_(std::move(scenario.loaded)), seed_(seed), until_(until), workers_(workers) {
     if (until)
       if (const auto problem = scenario::until_problem(scenario_->spec, *until))
-        throw nb::value_error(("until: " + *problem).c_str());
+        refuse("until: {}", *problem);
     mission_.reset(new scenario::Mission(scenario_, seed, until, {.workers = workers}));
-    orders_.assign(run().orders().begin(), run().orders().end());
   }
   /// Threads do not live on in a child of fork(): nobody may wait for them
   /// there.
@@ -70,29 +69,25 @@ class World {
         scenario::orders_from_json(*scenario_, json, at.value_or(world().step()));
     leave_out_unable(asked, *scenario_, world(), mission_->run().orders_for(world().step()));
     if (!asked.problem.empty())
-      throw nb::value_error(printable(asked.problem).c_str());
+      refuse("{}", printable(asked.problem));
     for (const sim::Order& order : asked.orders)
       submit(order);
   }
   void submit(const sim::Order& order) {
     if (const std::string refused = mission_->run().submit(order); !refused.empty())
-      throw nb::value_error(printable(refused).c_str());
-    const auto after = std::upper_bound(
-        orders_.begin(), orders_.end(), order.step,
-        [](std::uint64_t step, const sim::Order& other) { return step < other.step; });
-    orders_.insert(after, order);
+      refuse("{}", printable(refused));
   }
   /// All orders so far as bytes, for pickling.
   [[nodiscard]] nb::bytes orders() const {
-    return nb::bytes(orders_.data(), orders_.size() * sizeof(sim::Order));
+    const auto all = all_orders();
+    return nb::bytes(all.data(), all.size() * sizeof(sim::Order));
   }
   /// Replaces the scenario's own: of a world that has made no step.
   void set_orders(const nb::bytes& bytes) {
     if (bytes.size() % sizeof(sim::Order) != 0)
-      throw nb::value_error("these are no orders");
+      refuse("these are no orders");
     mission_.reset(new scenario::Mission(scenario_, scenario_->world(seed_), until(), false,
                                          {.workers = workers_}));
-    orders_.clear();
     for (std::size_t at = 0; at < bytes.size(); at += sizeof(sim::Order)) {
       sim::Order order;
       std::memcpy(&order, static_cast<const char*>(bytes.data()) + at, sizeof order);
@@ -106,16 +101,16 @@ class World {
                            const std::string& column) const {
     const InUse used = use();
     const sim::Schema& schema = world().schema();
-    const TableId in = table_named(table);
+    const TableId in = schema.find_table(table);
+    if (!in)
+      refuse("there is no table {}{}", quote(table),
+             nearest_or_all(table, listed(schema.tables(), &sim::TableInfo::name)));
     const std::uint32_t index = schema.find_column(in, column);
-    if (index == sim::kNoColumn) {
-      std::vector<std::string> names;
-      for (const std::uint32_t one : schema.table(in).columns)
-        names.push_back(schema.column(one).name);
-      throw nb::value_error(fmt::format("table {} has no column {}{}", table, quote(column),
-                                        nearest_or_all(column, names))
-                                .c_str());
-    }
+    if (index == sim::kNoColumn)
+      refuse("table {} has no column {}{}", table, quote(column),
+             nearest_or_all(column, listed(schema.table(in).columns, [&](std::uint32_t one) {
+                              return schema.column(one).name;
+                            })));
     const auto bytes = world().column_bytes(index);
     return Bytes(reinterpret_cast<const std::uint8_t*>(bytes.data()), {bytes.size()}, self);
   }
@@ -166,13 +161,14 @@ class World {
         seed_(other.seed_),
         until_(other.until_),
         workers_(other.workers_),
-        orders_(other.orders_),
         names_(other.names_) {
     mission_.reset(new scenario::Mission(scenario_, other.world(), until(),
                                          other.mission_->any_home(), {.workers = workers_}));
-    for (const sim::Order& order : orders_)
+    for (const sim::Order& order : other.all_orders())
       if (order.step >= world().step())
-        static_cast<void>(mission_->run().submit(order));  // it was accepted before
+        submit(order);
+      else
+        before_.push_back(order);
   }
 
   /// While it lives nobody else may use the world.
@@ -186,20 +182,15 @@ class World {
             "used meanwhile"};
   }
 
+  /// Since the first step, the scenario's own included.
+  [[nodiscard]] std::vector<sim::Order> all_orders() const {
+    std::vector<sim::Order> all = before_;
+    all.insert(all.end(), run().orders().begin(), run().orders().end());
+    return all;
+  }
   [[nodiscard]] bool is_forked() const { return workers_ > 1 && process_ != ::getpid(); }
   [[nodiscard]] const sim::Run& run() const { return mission_->run(); }
   [[nodiscard]] const sim::World& world() const { return run().world(); }
-  [[nodiscard]] TableId table_named(const std::string& name) const {
-    const sim::Schema& schema = world().schema();
-    const TableId found = schema.find_table(name);
-    if (found)
-      return found;
-    std::vector<std::string> names;
-    for (const sim::TableInfo& table : schema.tables())
-      names.push_back(table.name);
-    throw nb::value_error(
-        fmt::format("there is no table {}{}", quote(name), nearest_or_all(name, names)).c_str());
-  }
   void keep_events() {
     const auto events = run().workspace().events();
     if (events.empty())
@@ -214,7 +205,7 @@ class World {
   std::uint64_t seed_;
   std::optional<double> until_;
   unsigned workers_;
-  std::vector<sim::Order> orders_;  ///< since the first step, the scenario's own included
+  std::vector<sim::Order> before_;  ///< orders of the world that it is a copy of
   record::EventTable names_{*scenario_};
   std::vector<debrief::Happened> happened_;  ///< in the last step()
   std::unique_ptr<scenario::Mission> mission_;
