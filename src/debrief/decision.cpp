@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/text.hpp"
+#include "model/weapon/systems.hpp"
 #include "record/event_table.hpp"
 #include "record/json_text.hpp"
 #include "record/names.hpp"
@@ -124,6 +125,8 @@ void action_text(const Decision& d, std::string& text) {
     fmt::format_to(std::back_inserter(text), "  {:<12} {:<{}} {:<16} {}{}\n", won.value.name,
                    won.value.text, width, label_of(d, won.winner), reason(won),
                    rivals.empty() ? "" : rivals + ")");
+    if (!won.undone.empty())
+      fmt::format_to(std::back_inserter(text), "  {:<12} not done: {}\n", "", won.undone);
   }
 }
 
@@ -171,6 +174,8 @@ Json won_json(const Decision& d, const Won& won) {
   Json j = value_json(won.value);
   j["winner"] = won.winner == ubf::kNone ? Json() : Json(d.nodes[won.winner].path);
   j["reason"] = reason(won);
+  if (!won.undone.empty())
+    j["undone"] = won.undone;
   j["rivals"] = list_json(won.rivals, [&](const Rival& rival) -> Json {
     return {{"node", d.nodes[rival.node].path},
             {"value", value_json(rival.value)},
@@ -206,6 +211,12 @@ std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::W
       decision = m.decision();
       if (const auto now = scenario.find(after, who))
         decision->attacks = now->fleet.gauges(after, now->row).locked;
+      const auto row = after.row(scenario.aircraft.table, who);
+      if (row && model::weapon::waits_for_lock(after, scenario.aircraft, *scenario.library, *row,
+                                               decision->time))
+        for (team::Won& won : decision->action)
+          if (won.value.name == "release")
+            won.undone = "its seeker is not locked on yet";
       for (Perceived& one : decision->perceived)
         one.name = debrief_name(one, scenario, before);
       each_value(*decision, [&](Value& value) { put_names(value.text, *decision, scenario); });

@@ -54,8 +54,9 @@ struct Rival {
 struct Won {
   Value value;
   ubf::NodeIndex winner = ubf::kNone;
-  bool blended = false;  ///< the winner is an arbiter that made it of what its children said
-  bool held = false;     ///< the winner proposed it earlier, and a node above holds it
+  bool blended = false;     ///< the winner is an arbiter that made it of what its children said
+  bool held = false;        ///< the winner proposed it earlier, and a node above holds it
+  std::string undone = {};  ///< why the player does not do it although it is asked for
   /// What a blend is made of, then those that came up, then the others; by vote, the highest first.
   std::vector<Rival> rivals;
 };

@@ -9,21 +9,25 @@
 
 namespace eyrie::model::weapon {
 
-namespace {
-
-/// Whether the seeker of a missile on its rail sees somebody where the track is.
-bool locked_on(const SeekerType& seeker, const Kinematics& own, PlayerId self, const Track& track,
-               double time, const TargetScene& scene) {
+bool waits_for_lock(const sim::World& world, const AircraftColumns& aircraft,
+                    const Library& library, std::size_t row, double time) {
+  const Request& request = world.rows(aircraft.request)[row];
+  const Track* target = find(world.rows(aircraft.tracks)[row], request.shoot_at);
+  if (request.store == 0 || request.store > library.missiles.size() || target == nullptr)
+    return false;
+  const MissileType& missile = library.missiles[request.store - 1u];
+  if (!missile.locks_before_launch())
+    return false;
+  const Kinematics& own = world.rows(aircraft.kinematics)[row];
   const SeekerView view{.position = own.position,
                         .velocity = own.velocity,
                         .axis = body_axes(own).forward,
                         .down = own.down};
-  const Vec3 apart = position_at(track, time) - own.position;
-  const SearchVolume volume{.direction = normalized(apart, view.axis), .except = self};
-  return search(seeker, view, scene, volume).has_value();
+  const Vec3 apart = position_at(*target, time) - own.position;
+  const SearchVolume volume{.direction = normalized(apart, view.axis),
+                            .except = world.ids(aircraft.table)[row]};
+  return !search(missile.seeker, view, TargetScene::of(world, aircraft, library, time), volume);
 }
-
-}  // namespace
 
 void StoresSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                        sim::Outbox& out) const {
@@ -62,9 +66,7 @@ void StoresSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
     const MissileType& missile = library_->missiles[type];
     if (!can_release(stores[i], type, time))
       continue;
-    if (missile.locks_before_launch() &&
-        !locked_on(missile.seeker, own, ids[i], *target, time,
-                   TargetScene::of(world, aircraft_, *library_, time)))
+    if (waits_for_lock(world, aircraft_, *library_, i, time))
       continue;
     begin_release(stores[i], type, missile, request.shoot_at, time);
     const double range = norm(position_at(*target, time) - own.position);

@@ -64,6 +64,12 @@ TEST_F(StoresTest, HoldsAnInfraredMissileThatSeesNobody) {
   range.run(2);
   EXPECT_EQ(range.count(E::release), 0u);
   EXPECT_EQ(count_of(stores(), kShort), 2u);
+  const auto waits = [&] {
+    return waits_for_lock(range.world(), range.aircraft(), range.library(), 0, range.time());
+  };
+  EXPECT_TRUE(waits());
+  range.shoot(blue, red, kMedium);
+  EXPECT_FALSE(waits()) << "its own radar finds it later";
 }
 
 TEST_F(StoresTest, KeepsTheStoreWhenTheTrackIsLostBeforeLaunch) {

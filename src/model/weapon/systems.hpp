@@ -8,6 +8,11 @@
 
 namespace eyrie::model::weapon {
 
+/// Whether the aircraft asks for a missile that stays on its rail at `time` (s): its seeker must be
+/// locked on before launch and sees nobody where the track is.
+[[nodiscard]] bool waits_for_lock(const sim::World& world, const AircraftColumns& aircraft,
+                                  const Library& library, std::size_t row, double time);
+
 /// act: a Request for a store becomes a release, and after the launch delay an eject; commit: each
 /// eject becomes a missile. A missile that must be locked on before launch is not released while
 /// its seeker sees nobody where the track is.
