@@ -64,18 +64,13 @@ int explain(const ExplainOptions& options) {
   record::JsonList list;
   bool first = true;
   const auto tell = [&](const debrief::Change& found) {
-    const debrief::Decision& decision = found.now;
     if (options.csv)
-      say("{}", Composed{debrief::decision_csv(decision, roster)});
+      say("{}", Composed{debrief::decision_csv(found.now, roster)});
     else if (options.json)
-      say("{}", Composed{list.next(wanted.changes ? debrief::change_json(found, roster)
-                                                  : debrief::decision_json(decision, roster))});
-    else if (wanted.changes)
-      say("{}", Composed{debrief::change_text(found)});
+      say("{}", Composed{list.next(debrief::found_json(found, wanted, roster))});
     else
       say("{}{}", Composed{whole && !first ? "\n" : ""},
-          Composed{whole ? debrief::decision_text(decision, roster)
-                         : debrief::decision_line(decision)});
+          Composed{debrief::found_text(found, wanted, roster)});
     first = false;
   };
   if (options.csv)

@@ -153,11 +153,8 @@ std::tuple<std::string, std::string> explain(const Recorded& r, const std::strin
   std::string text, json;
   record::JsonList list;
   const auto use = [&](const debrief::Change& found) {
-    text += wanted.changes ? debrief::change_text(found)
-            : whole        ? (text.empty() ? "" : "\n") + debrief::decision_text(found.now, roster)
-                           : debrief::decision_line(found.now);
-    json += list.next(wanted.changes ? debrief::change_json(found, roster)
-                                     : debrief::decision_json(found.now, roster));
+    text += (whole && !text.empty() ? "\n" : "") + debrief::found_text(found, wanted, roster);
+    json += list.next(debrief::found_json(found, wanted, roster));
   };
   const debrief::Found found =
       without_gil([&](const auto& stop) { return debrief::look(r, who, wanted, use, stop); });

@@ -63,6 +63,7 @@ struct Change {
   Decision now;
   std::string from = "nobody", to = "nobody";  ///< labels
   std::string why = {};
+  std::vector<std::string> events = {};  ///< for which it was looked for, as the story tells them
 };
 [[nodiscard]] std::string change_text(const Change& change);
 [[nodiscard]] nlohmann::ordered_json change_json(const Change& change,

@@ -26,13 +26,15 @@ class EventTimes final : public sim::Observer {
           const std::string name(model::event_name(line.kind));
           names_.insert(name);
           if (has_word(line.text) || has_word(name))
-            found_ = line.decided;
+            find(line.decided, line.time, line.text);
         }) {}
 
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
     found_.reset();
+    lines_.clear();
     released_ = false;
+    std::string unnamed;
     for (const sim::Event& e : events)
       if (e.who == who_ || e.whom == who_) {
         const model::EventKind kind = record::kind_of(e);
@@ -40,20 +42,34 @@ class EventTimes final : public sim::Observer {
         names_.insert(name);
         released_ |= kind == model::EventKind::release && e.who == who_;
         if (has_word(name))
-          found_ = info.time();
+          unnamed = name;
       }
     story_.observe(world, info, events);
+    if (!found_ && !unnamed.empty())  // the story does not tell it
+      find(info.time(), info.time(), unnamed);
   }
   /// When what was found in the last step was decided (s); nothing if nothing was.
   [[nodiscard]] std::optional<double> found() const { return found_; }
+  /// What was found in the last step, as the story tells it.
+  [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
   /// Whether the player released a store in the last step.
   [[nodiscard]] bool released() const { return released_; }
   /// Of every event so far that the player had to do with.
   [[nodiscard]] const std::set<std::string>& names() const { return names_; }
 
  private:
+  /// Whether a word of the text begins so.
   [[nodiscard]] bool has_word(const std::string& text) const {
-    return to_small(text).find(word_) != std::string::npos;
+    const std::string small = to_small(text);
+    for (auto at = small.find(word_); at != small.npos; at = small.find(word_, at + 1))
+      if (at == 0 || !is_letter(small[at - 1]))
+        return true;
+    return false;
+  }
+  void find(double decided, double time, const std::string& text) {
+    found_ = decided;
+    lines_.push_back(
+        fmt::format("{}  {:<8}  {}", record::clock_text(time), scenario_.roster.name(who_), text));
   }
   const scenario::Scenario& scenario_;
   PlayerId who_;
@@ -61,6 +77,7 @@ class EventTimes final : public sim::Observer {
   record::Story story_;
   std::set<std::string> names_;
   std::optional<double> found_;
+  std::vector<std::string> lines_;
   bool released_ = false;
 };
 
@@ -115,7 +132,7 @@ Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
       const auto cause = released.find(*events.found());
       const Decision& decided = cause == released.end() ? *last : cause->second;
       if (handed_on != decided.step)
-        hand_on({.now = decided});
+        hand_on({.now = decided, .events = events.lines()});
       handed_on = decided.step;
       continue;
     }
@@ -159,6 +176,27 @@ Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
   }
   found.events = events.names();
   return found;
+}
+
+std::string found_text(const Change& found, const Wanted& wanted, const scenario::Roster& roster) {
+  if (wanted.changes)
+    return change_text(found);
+  if (!wanted.once && wanted.event.empty())
+    return decision_line(found.now);
+  std::string text;
+  for (const std::string& event : found.events)
+    text += printable(event) + '\n';
+  return text + decision_text(found.now, roster);
+}
+
+nlohmann::ordered_json found_json(const Change& found, const Wanted& wanted,
+                                  const scenario::Roster& roster) {
+  if (wanted.changes)
+    return change_json(found, roster);
+  nlohmann::ordered_json decision = decision_json(found.now, roster);
+  if (!wanted.event.empty())
+    decision["events"] = found.events;
+  return decision;
 }
 
 std::string nothing_text(const std::string& player, const Wanted& wanted, const Found& found) {

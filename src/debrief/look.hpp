@@ -15,7 +15,8 @@ struct Wanted {
   double from = 0, to = 1e9;  ///< s
   bool once = false;          ///< only the first decision in that time
   bool changes = false;       ///< where somebody else leads than before
-  std::string event = {};     ///< a word: those that events with it come of; "": any decision
+  /// Those that events come of in which a word begins so; "": any decision.
+  std::string event = {};
 };
 
 struct Found {
@@ -31,6 +32,13 @@ struct Found {
     const Recorded& recorded, PlayerId who, const Wanted& wanted,
     const std::function<void(const Change&)>& use,
     const std::function<bool()>& stop = [] { return false; });
+
+/// What was found as it is told: who took over, a decision's line, or, at a time or an event, the
+/// decision whole below the events that it was looked for by.
+[[nodiscard]] std::string found_text(const Change& found, const Wanted& wanted,
+                                     const scenario::Roster& roster);
+[[nodiscard]] nlohmann::ordered_json found_json(const Change& found, const Wanted& wanted,
+                                                const scenario::Roster& roster);
 
 /// Why nothing was found: "eagle1 made no decision in that time".
 [[nodiscard]] std::string nothing_text(const std::string& player, const Wanted& wanted,
