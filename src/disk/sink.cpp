@@ -123,7 +123,7 @@ FileRead read_open(int file, std::size_t limit) {
     return {.problem = too_large};
   // a byte more than it says: it may have grown since, and a file of /proc says 0
   constexpr std::size_t kMore = 1 << 16;
-  FileRead read;
+  FileRead read{.owner = status.st_uid, .mode = status.st_mode};
   std::size_t used = 0;
   for (;;) {
     if (used == read.bytes.size())

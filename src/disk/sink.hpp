@@ -54,7 +54,8 @@ class Sink {
 /// The bytes, or why there are none: `problem` is "" exactly if they are there.
 struct FileRead {
   std::string bytes{}, problem{};
-  bool missing = false;  ///< there is nothing of that name
+  bool missing = false;               ///< there is nothing of that name
+  std::uint32_t owner = 0, mode = 0;  ///< st_uid and st_mode of what was read
 };
 
 /// Nothing is read that is no regular file (a device, a pipe, a folder) or larger than `limit`

@@ -72,12 +72,9 @@ TrustList TrustList::read(const std::string& file) {
     return list;
   if (!read.problem.empty())
     throw ConfigError({file, 0, 0}, read.problem);
-  struct stat is {};
-  if (::stat(file.c_str(), &is) != 0)
-    throw ConfigError({file, 0, 0}, "cannot be read");
-  if (is.st_uid != ::geteuid() && is.st_uid != 0)
+  if (read.owner != ::geteuid() && read.owner != 0)
     throw ConfigError({file, 0, 0}, "belongs to somebody else; what it trusts is not trusted");
-  if ((is.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+  if ((read.mode & (S_IWGRP | S_IWOTH)) != 0)
     throw ConfigError({file, 0, 0},
                       "others may write to it; what it trusts is not trusted (chmod go-w {})",
                       shell_word(file));
