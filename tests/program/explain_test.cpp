@@ -111,13 +111,15 @@ TEST(ExplainProgram, TellsOnWhichDecisionsARunTurned) {
 TEST(ExplainProgram, FindsTheDecisionsAtEventsByAWordOfTheStory) {
   const Ran ran = debriefed({"explain", "a", "--player", "bogey1", "--event", "break"});
   EXPECT_EQ(ran.code, 0);
-  EXPECT_TRUE(says(ran.out, R"(^\d\d:\d\d\.\d  bogey1    breaks[^\n]*\nbogey1 at )")) << ran.out;
+  EXPECT_TRUE(says(ran.out, R"(^\d\d:\d\d\.\d  bogey1    defending: breaks[^\n]*\nbogey1 at )"))
+      << ran.out;
   EXPECT_TRUE(says(ran.out, R"(break_turn leads with 80)"));
   EXPECT_EQ(debriefed({"explain", "a", "--player", "bogey1", "--event", "reak"}).code, 2)
       << "a word from its beginning";
   const json found = json::parse(
       debriefed({"explain", "a", "--player", "bogey1", "--event", "break", "--json"}).out);
-  EXPECT_TRUE(says(found.at(0).at("events").at(0).get<std::string>(), "bogey1    breaks"));
+  EXPECT_TRUE(
+      says(found.at(0).at("events").at(0).get<std::string>(), "bogey1    defending: breaks"));
   const Ran none = debriefed({"explain", "a", "--player", "bogey1", "--event", "ditch"});
   EXPECT_EQ(none.code, 2);
   EXPECT_TRUE(says(none.err,
