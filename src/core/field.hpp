@@ -196,11 +196,12 @@ constexpr auto flatten(FieldName name, std::uint32_t offset, std::string_view un
     }
     return result;
   } else if constexpr (std::is_same_v<T, Mat3>) {
+    using Row = decltype(T::row_x);
     std::array<FieldInfo, 9> result{};
     std::size_t next = 0;
     for (const auto& [part, row] :
          {std::pair(".row_x", &Mat3::row_x), {".row_y", &Mat3::row_y}, {".row_z", &Mat3::row_z}})
-      for (const FieldInfo& info : flatten<Vec3>(name + part, offset + offset_of(row), unit))
+      for (const FieldInfo& info : flatten<Row>(name + part, offset + offset_of(row), unit))
         result[next++] = info;
     return result;
   } else {
