@@ -111,11 +111,9 @@ TEST(ExplainProgram, TellsOnWhichDecisionsARunTurned) {
 TEST(ExplainProgram, FindsTheDecisionsAtEventsByAWordOfTheStory) {
   const Ran ran = debriefed({"explain", "a", "--player", "bogey1", "--event", "break"});
   EXPECT_EQ(ran.code, 0);
-  EXPECT_TRUE(says(ran.out, R"(^\d\d:\d\d\.\d  bogey1    defending: breaks[^\n]*\nbogey1 at )"))
-      << ran.out;
+  EXPECT_TRUE(says(ran.out, R"(^\d\d:\d\d\.\d  bogey1 +defending: breaks.*\nbogey1 at )"));
   EXPECT_TRUE(says(ran.out, R"(break_turn leads with 80)"));
-  EXPECT_EQ(debriefed({"explain", "a", "--player", "bogey1", "--event", "reak"}).code, 2)
-      << "a word from its beginning";
+  EXPECT_EQ(debriefed({"explain", "a", "--player", "bogey1", "--event", "reak"}).code, 2);
   const json found = json::parse(
       debriefed({"explain", "a", "--player", "bogey1", "--event", "break", "--json"}).out);
   EXPECT_TRUE(
