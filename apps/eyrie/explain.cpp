@@ -17,12 +17,7 @@ void say_key_moments(const debrief::Recorded& recorded, const ExplainOptions& op
   const std::vector<debrief::Moment> moments = debrief::key_moments(recorded);
   if (options.json)
     return say("{}\n", Composed{debrief::moments_json(moments, recorded.scenario->roster)});
-  for (const debrief::Moment& moment : moments) {
-    say("{}  {:<8}  {}\n", record::clock_text(moment.line.time), moment.line.who, moment.line.text);
-    if (moment.decision)
-      say("    {}:{}", recorded.scenario->roster.name(moment.line.decider),
-          Composed{debrief::decision_line(*moment.decision)});
-  }
+  say("{}", Composed{debrief::moments_text(moments, recorded.scenario->roster)});
   say("{}  {}\n", record::clock_text(recorded.until()), recorded.run.outcome);
   say("\na decision whole: eyrie explain {} --player NAME --at TIME\n",
       scenario::shell_word(options.run));

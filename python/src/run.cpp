@@ -166,15 +166,7 @@ std::tuple<std::string, std::string> explain(const Recorded& r, const std::strin
 std::tuple<std::string, std::string> key_moments(const Recorded& r) {
   const scenario::Roster& roster = r.scenario->roster;
   const auto moments = without_gil([&](const auto& stop) { return debrief::key_moments(r, stop); });
-  std::string text;
-  for (const debrief::Moment& moment : moments) {
-    text += fmt::format("{}  {:<8}  {}\n", record::clock_text(moment.line.time), moment.line.who,
-                        moment.line.text);
-    if (moment.decision)
-      text += fmt::format("    {}:{}", roster.name(moment.line.decider),
-                          debrief::decision_line(*moment.decision));
-  }
-  return {printable_lines(text), debrief::moments_json(moments, roster)};
+  return {debrief::moments_text(moments, roster), debrief::moments_json(moments, roster)};
 }
 
 /// (s, who, what), as `eyrie fly` tells it.

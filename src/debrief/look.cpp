@@ -12,6 +12,11 @@
 namespace eyrie::debrief {
 namespace {
 
+/// A line of the story.
+std::string line_text(double time, std::string_view who, std::string_view text) {
+  return fmt::format("{}  {:<8}  {}", record::clock_text(time), printable(who), printable(text));
+}
+
 /// The events with the word in them that the player has to do with, and the decisions they come of.
 class EventTimes final : public sim::Observer {
  public:
@@ -68,8 +73,7 @@ class EventTimes final : public sim::Observer {
   }
   void find(double decided, double time, const std::string& text) {
     found_ = decided;
-    lines_.push_back(
-        fmt::format("{}  {:<8}  {}", record::clock_text(time), scenario_.roster.name(who_), text));
+    lines_.push_back(line_text(time, scenario_.roster.name(who_), text));
   }
   const scenario::Scenario& scenario_;
   PlayerId who_;
@@ -185,7 +189,7 @@ std::string found_text(const Change& found, const Wanted& wanted, const scenario
     return decision_line(found.now);
   std::string text;
   for (const std::string& event : found.events)
-    text += printable(event) + '\n';
+    text += event + '\n';
   return text + decision_text(found.now, roster);
 }
 
@@ -238,6 +242,17 @@ std::vector<Moment> key_moments(const Recorded& recorded, const std::function<bo
         if (auto decision = explain(flight, moment.line.decider))
           moment.decision = std::move(decision);
   return moments;
+}
+
+std::string moments_text(std::span<const Moment> moments, const scenario::Roster& roster) {
+  std::string text;
+  for (const Moment& m : moments) {
+    text += line_text(m.line.time, m.line.who, m.line.text) + '\n';
+    if (m.decision)
+      text += fmt::format("    {}:{}", printable(roster.name(m.line.decider)),
+                          decision_line(*m.decision));
+  }
+  return text;
 }
 
 std::string moments_json(std::span<const Moment> moments, const scenario::Roster& roster) {

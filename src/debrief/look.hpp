@@ -51,6 +51,8 @@ struct Moment {
 };
 [[nodiscard]] std::vector<Moment> key_moments(
     const Recorded& recorded, const std::function<bool()>& stop = [] { return false; });
+[[nodiscard]] std::string moments_text(std::span<const Moment> moments,
+                                       const scenario::Roster& roster);
 [[nodiscard]] std::string moments_json(std::span<const Moment> moments,
                                        const scenario::Roster& roster);
 
