@@ -31,9 +31,11 @@ inline constexpr double kTau = 2 * kPi;
 
 template <std::size_t N>
 [[nodiscard]] math::Lanes<N> wrap_pi(const math::Lanes<N>& x) {
-  if (!math::any(!((x > -kPi) & (x <= kPi))))
+  const auto inside = (x > -kPi) & (x <= kPi);
+  if (math::all(inside))
     return x;
-  return math::each_lane<math::Lanes<N>>([&](std::size_t i) { return wrap_pi(x.v[i]); });
+  const math::Lanes<N> turned = x - kTau * math::ceil((x - kPi) / kTau);
+  return math::select(inside, x, math::select((turned <= -kPi) | (turned > kPi), kPi, turned));
 }
 
 /// The same direction in [0, 2 pi). An angle that is already there comes back unchanged.

@@ -4,10 +4,13 @@
 /// runs on one double or on Lanes, and every lane has the bits that one double would have: lanes
 /// are + - * / and sqrt of IEEE 754, and what depends on a comparison is selected, never branched.
 /// `select`, `max`, `min` and `clamp` compare as those of C++ do, with NaN and signed zeros too.
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 #if defined(__SSE2__)
@@ -23,12 +26,14 @@ template <>
 struct LaneTypes<2> {
   using Reals = double __attribute__((vector_size(16)));
   using Mask = std::int64_t __attribute__((vector_size(16)));
+  using Whole = std::int32_t __attribute__((vector_size(8)));
   using Bits = std::uint64_t __attribute__((vector_size(16)));
 };
 template <>
 struct LaneTypes<4> {
   using Reals = double __attribute__((vector_size(32)));
   using Mask = std::int64_t __attribute__((vector_size(32)));
+  using Whole = std::int32_t __attribute__((vector_size(16)));
   using Bits = std::uint64_t __attribute__((vector_size(32)));
 };
 
@@ -112,6 +117,94 @@ Real each_lane(Of of) {
   }
 }
 
+namespace detail {
+
+/// Row by row becomes column by column, and back.
+template <class Four>
+void transpose(const Four& a, const Four& b, const Four& c, const Four& d, auto put) {
+  const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Four ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Four cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Four cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  put(0, __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5));
+  put(1, __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5));
+  put(2, __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7));
+  put(3, __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7));
+}
+
+/// Calls use(first) for each four of so many numbers; the last four may overlap those before.
+template <std::size_t kNumbers>
+void each_four(auto use) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (use(std::min(4 * I, kNumbers - 4)), ...);
+  }
+  (std::make_index_sequence<(kNumbers + 3) / 4>{});
+}
+
+}  // namespace detail
+
+/// A row of doubles of each lane as one row of Reals with the same members.
+template <class To, class Row, std::size_t kCount>
+To to_lanes(const std::array<Row*, kCount>& rows) {
+  constexpr std::size_t kNumbers = sizeof(Row) / sizeof(double);
+  static_assert(sizeof(To) == kCount * sizeof(Row));
+  if constexpr (kCount == 1) {
+    return std::bit_cast<To>(*rows[0]);
+  } else {
+    using Vector = typename Lanes<kCount>::Vector;
+    To to;
+    Vector* const all = reinterpret_cast<Vector*>(&to);
+    const auto numbers = [&](auto i) { return reinterpret_cast<const double*>(rows[i]); };
+    if constexpr (kCount == 4 && kNumbers >= 4)
+      detail::each_four<kNumbers>([&](std::size_t first) {
+        const auto four = [&](std::size_t i) {
+          Vector row;
+          std::memcpy(&row, numbers(i) + first, sizeof row);
+          return row;
+        };
+        detail::transpose(four(0), four(1), four(2), four(3),
+                          [&](std::size_t i, const Vector& column) { all[first + i] = column; });
+      });
+    else
+      for (std::size_t n = 0; n < kNumbers; ++n)
+        all[n] = each_lane<Lanes<kCount>>([&](std::size_t i) { return numbers(i)[n]; }).v;
+    return to;
+  }
+}
+/// And back.
+template <class From, class Row, std::size_t kCount>
+void from_lanes(const From& from, const std::array<Row*, kCount>& rows) {
+  constexpr std::size_t kNumbers = sizeof(Row) / sizeof(double);
+  static_assert(sizeof(From) == kCount * sizeof(Row));
+  if constexpr (kCount == 1) {
+    *rows[0] = std::bit_cast<Row>(from);
+  } else {
+    using Vector = typename Lanes<kCount>::Vector;
+    const Vector* const all = reinterpret_cast<const Vector*>(&from);
+    const auto numbers = [&](auto i) { return reinterpret_cast<double*>(rows[i]); };
+    if constexpr (kCount == 4 && kNumbers >= 4)
+      detail::each_four<kNumbers>([&](std::size_t first) {
+        detail::transpose(all[first], all[first + 1], all[first + 2], all[first + 3],
+                          [&](std::size_t i, const Vector& row) {
+                            std::memcpy(numbers(i) + first, &row, sizeof row);
+                          });
+      });
+    else
+      for (std::size_t i = 0; i < kCount; ++i)
+        for (std::size_t n = 0; n < kNumbers; ++n)
+          numbers(i)[n] = all[n][i];
+  }
+}
+
+/// of(0), of(1), ...
+template <std::size_t kCount, class Of>
+auto each_of(Of of) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array{of(I)...};
+  }
+  (std::make_index_sequence<kCount>{});
+}
+
 /// Whether a condition holds in one lane.
 inline bool holds(bool condition, std::size_t) {
   return condition;
@@ -133,17 +226,15 @@ template <class Real>
 Real whole(const BitsOf<Real>& number) {
   return std::bit_cast<Real>(number | std::bit_cast<std::uint64_t>(0x1p52)) - 0x1p52;
 }
-/// The whole number at or below x, for x in [0, 2^51); 0 where x is not a number.
-template <class Real>
-BitsOf<Real> whole_part(const Real& x) {
-  if constexpr (std::is_same_v<Real, double>) {
-    return x >= 0 ? static_cast<std::uint64_t>(x) : 0;
-  } else {
-    BitsOf<Real> all;
-    for (std::size_t i = 0; i < kLanes<Real>; ++i)
-      all[i] = whole_part(lane(x, i));
-    return all;
-  }
+/// The whole number at or below x, for x in [0, 2^31); 0 where x is not a number.
+inline std::uint64_t whole_part(double x) {
+  return static_cast<std::uint64_t>(x > 0 ? static_cast<std::int32_t>(x) : 0);
+}
+template <std::size_t N>
+BitsOf<Lanes<N>> whole_part(const Lanes<N>& x) {
+  const auto numbers = x.v > 0 ? x.v : typename Lanes<N>::Vector{};
+  return __builtin_convertvector(__builtin_convertvector(numbers, typename LaneTypes<N>::Whole),
+                                 BitsOf<Lanes<N>>);
 }
 /// 1 where x has a minus, else 0.
 inline std::uint64_t sign_bit(double x) {
@@ -154,15 +245,35 @@ BitsOf<Lanes<N>> sign_bit(const Lanes<N>& x) {
   return std::bit_cast<BitsOf<Lanes<N>>>(x) >> 63;
 }
 
+/// One bit per lane, the lowest of the first.
+template <std::size_t N>
+int bits_of(const LaneMask<N>& mask) {
+#if defined(__SSE2__)
+  if constexpr (N == 2)
+    return _mm_movemask_pd(std::bit_cast<__m128d>(mask.bits));
+#endif
+#if defined(__AVX__)
+  if constexpr (N == 4)
+    return _mm256_movemask_pd(std::bit_cast<__m256d>(mask.bits));
+#endif
+  int bits = 0;
+  for (std::size_t i = 0; i < N; ++i)
+    bits |= holds(mask, i) << i;
+  return bits;
+}
 inline bool any(bool condition) {
   return condition;
 }
 template <std::size_t N>
 bool any(const LaneMask<N>& mask) {
-  std::int64_t bits = 0;
-  for (std::size_t i = 0; i < N; ++i)
-    bits |= mask.bits[i];
-  return bits != 0;
+  return bits_of(mask) != 0;
+}
+inline bool all(bool condition) {
+  return condition;
+}
+template <std::size_t N>
+bool all(const LaneMask<N>& mask) {
+  return bits_of(mask) == (1 << N) - 1;
 }
 
 /// a where the condition holds, else b.
@@ -186,7 +297,7 @@ Real min(const Real& a, const std::type_identity_t<Real>& b) {
 template <class Real>
 Real clamp(const Real& x, const std::type_identity_t<Real>& low,
            const std::type_identity_t<Real>& high) {
-  return select(x < low, low, select(high < x, high, x));
+  return max(min(x, high), low);
 }
 
 inline double sqrt(double x) {
@@ -203,6 +314,11 @@ Lanes<N> sqrt(const Lanes<N>& x) {
     return Lanes<N>{_mm256_sqrt_pd(x.v)};
 #endif
   return each_lane<Lanes<N>>([&](std::size_t i) { return std::sqrt(x.v[i]); });
+}
+
+template <std::size_t N>
+Lanes<N> ceil(const Lanes<N>& x) {
+  return each_lane<Lanes<N>>([&](std::size_t i) { return std::ceil(x.v[i]); });
 }
 
 inline constexpr std::uint64_t kSign = std::uint64_t{1} << 63;

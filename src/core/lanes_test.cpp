@@ -59,6 +59,22 @@ TEST(Lanes, GiveTheBitsOfOneDouble) {
     }
 }
 
+TEST(Lanes, HoldRowsMemberByMember) {
+  struct Row {
+    double a, b, c;
+  };
+  struct Rows {
+    Pair a, b, c;
+  };
+  Row one{1, 2, 3}, two{4, 5, 6};
+  auto both = to_lanes<Rows>(std::array<const Row*, 2>{&one, &two});
+  expect_bits(both.b, 2, 5, 2, 5);
+  both.c = both.a + both.b;
+  from_lanes(both, std::array{&one, &two});
+  EXPECT_EQ(one.c, 3);
+  EXPECT_EQ(two.c, 9);
+}
+
 TEST(Lanes, SelectByWhatIsCompared) {
   const Pair a(Pair::Vector{1, 2}), b(Pair::Vector{2, 1});
   const auto smaller = a < b;
@@ -66,6 +82,8 @@ TEST(Lanes, SelectByWhatIsCompared) {
   EXPECT_FALSE(holds(smaller, 1));
   EXPECT_TRUE(any(smaller));
   EXPECT_FALSE(any(smaller & (a > b)));
+  EXPECT_FALSE(all(smaller));
+  EXPECT_TRUE(all(smaller | (a > b)));
   EXPECT_TRUE(holds((!smaller) | (a <= b), 1));
   expect_bits(select(smaller, 7, b), 7, 1, 1, 2);
   EXPECT_EQ(lane(ones(smaller), 0), 1U);

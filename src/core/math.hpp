@@ -155,7 +155,7 @@ inline SinCos sin_cos(double x) {
 }
 template <std::size_t N>
 SinCosOf<Lanes<N>> sin_cos(const Lanes<N>& x) {
-  if (any(!(abs(x) <= 0x1p20))) {
+  if (!all(abs(x) <= 0x1p20)) {
     const auto of = [&](std::size_t i) { return detail::sin_cos_of_one(x.v[i]); };
     return {each_lane<Lanes<N>>([&](std::size_t i) { return of(i).sin; }),
             each_lane<Lanes<N>>([&](std::size_t i) { return of(i).cos; })};
@@ -185,11 +185,7 @@ namespace detail {
 
 /// atan2 where the smaller of |x| and |y| is a number and the larger one in (2^-960, 2^1020).
 template <class Real>
-Real atan2_ordinary(const Real& y, const Real& x) {
-  const Real ax = abs(x), ay = abs(y);
-  const Real big = select(ax > ay, ax, ay);
-  const Real small = select(ax > ay, ay, ax);
-
+Real atan2_ordinary(const Real& y, const Real& x, const Real& small, const Real& big) {
   // small / big is tan(atan(step / 2) + atan(u)) with |u| <= 5/16; the numerator is exact
   const auto step = ones(small >= 0.3125 * big) + ones(small >= 0.75 * big);
   const Real t = 0.5 * whole<Real>(step);
@@ -220,7 +216,7 @@ Real atan2_ordinary(const Real& y, const Real& x) {
       {0x1.0468a8ace4df6p+1, 0x1.0620bf7406affp-55},  // pi/2 + atan(1/2)
       {0x1.2d97c7f3321d2p+1, 0x1.a79394c9e8a0ap-54},  // 3 pi/4
   }};
-  const auto steep = ones(ay >= ax), back = sign_bit(x);
+  const auto steep = ones(abs(y) >= big), back = sign_bit(x);
   const auto place = 6 * back + 3 * steep + step;
   const auto base = [&](double Base::*part) {
     return each_lane<Real>([&](std::size_t i) { return kBase[lane(place, i)].*part; });
@@ -234,20 +230,17 @@ Real atan2_ordinary(const Real& y, const Real& x) {
 }  // namespace detail
 
 inline double atan2(double y, double x) {
-  const double ax = std::fabs(x), ay = std::fabs(y);
-  const double big = ax > ay ? ax : ay;
-  const double small = ax > ay ? ay : ax;
+  const double small = min(abs(x), abs(y)), big = max(abs(y), abs(x));
   if (!(big > 0x1p-960 && big < 0x1p1020 && small >= 0))
     return detail::atan2_special(y, x);
-  return detail::atan2_ordinary(y, x);
+  return detail::atan2_ordinary(y, x, small, big);
 }
 template <std::size_t N>
 Lanes<N> atan2(const Lanes<N>& y, const Lanes<N>& x) {
-  const Lanes<N> ax = abs(x), ay = abs(y);
-  const Lanes<N> big = select(ax > ay, ax, ay), small = select(ax > ay, ay, ax);
-  if (any(!((big > 0x1p-960) & (big < 0x1p1020) & (small >= 0))))
+  const Lanes<N> small = min(abs(x), abs(y)), big = max(abs(y), abs(x));
+  if (!all((big > 0x1p-960) & (big < 0x1p1020) & (small >= 0)))
     return each_lane<Lanes<N>>([&](std::size_t i) { return detail::atan2_of_one(y.v[i], x.v[i]); });
-  return detail::atan2_ordinary(y, x);
+  return detail::atan2_ordinary(y, x, small, big);
 }
 
 inline double atan(double x) {

@@ -46,7 +46,11 @@ Atmosphere::Atmosphere() {
     const double height = kLowest + kPiece * static_cast<double>(i);
     const double pressure = pressure_at(height);
     const double density = pressure / (kGasConstant * layer_temperature(height));
-    nodes_[i] = {.pressure = pressure, .slope = -density * kGravity * kPiece};
+    const NodeOf<double> node{.pressure = pressure, .slope = -density * kGravity * kPiece};
+    if (i < pieces_.size())
+      pieces_[i][0] = node;
+    if (i > 0)
+      pieces_[i - 1][1] = node;
   }
 }
 

@@ -86,27 +86,25 @@ class Atmosphere {
 
     // cubic Hermite between the two nodes around; the layers meet at nodes
     const Real pieces = (height - kLowest) * (1 / kPiece);
-    const auto whole = math::whole_part<Real>(math::min(pieces, kPieces - 1));
+    const auto whole = math::whole_part(math::min(pieces, kPieces - 1));
     const Real t = pieces - math::whole<Real>(whole);
-    const auto node = [&](std::size_t next, double Node::*of) {
-      return math::each_lane<Real>(
-          [&](std::size_t i) { return nodes_[math::lane(whole, i) + next].*of; });
-    };
-    const Real pressure_a = node(0, &Node::pressure), slope_a = node(0, &Node::slope);
-    const Real slope_b = node(1, &Node::slope), rise = node(1, &Node::pressure) - pressure_a;
+    const auto [a, b] = math::to_lanes<std::array<NodeOf<Real>, 2>>(
+        math::each_of<math::kLanes<Real>>([&](auto i) { return &pieces_[math::lane(whole, i)]; }));
+    const Real rise = b.pressure - a.pressure;
     const Real pressure =
-        pressure_a +
-        t * (slope_a + t * (3 * rise - 2 * slope_a - slope_b + t * (slope_a + slope_b - 2 * rise)));
+        a.pressure +
+        t * (a.slope + t * (3 * rise - 2 * a.slope - b.slope + t * (a.slope + b.slope - 2 * rise)));
     return complete(layer_temperature(height), pressure);
   }
 
   static constexpr double kLowest = -2000, kHighest = 32000, kPiece = 500;
   static constexpr int kPieces = static_cast<int>((kHighest - kLowest) / kPiece);
-  struct Node {
-    double pressure;  ///< Pa
-    double slope;     ///< Pa per piece
+  template <class Real>
+  struct NodeOf {
+    Real pressure;  ///< Pa
+    Real slope;     ///< Pa per piece
   };
-  std::array<Node, kPieces + 1> nodes_;
+  std::array<std::array<NodeOf<double>, 2>, kPieces> pieces_;  ///< both ends of each
 };
 
 /// The wind at one altitude, said as pilots say it.

@@ -27,8 +27,9 @@ Mat3 turn(const Vec3& spin, double time) {
 
 Mat3 attitude_of(const Vec3& euler) {
   const auto [sa, ca] = math::sin_cos(euler.x);
-  const auto [sb, cb] = math::sin_cos(euler.y);
-  const auto [sc, cc] = math::sin_cos(euler.z);
+  const auto [b, c] = math::sin_cos(euler.y, euler.z);
+  const auto [sb, cb] = b;
+  const auto [sc, cc] = c;
   return {{cb * ca, cb * sa, -sb},
           {sc * sb * ca - cc * sa, sc * sb * sa + cc * ca, sc * cb},
           {cc * sb * ca + sc * sa, cc * sb * sa - sc * ca, cc * cb}};
