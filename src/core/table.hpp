@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/assert.hpp"
+#include "core/lanes.hpp"
 
 namespace eyrie {
 
@@ -16,6 +18,12 @@ namespace eyrie {
 struct TableCell {
   std::size_t index = 0;
   double fraction = 0;
+};
+/// That of each of several numbers side by side.
+template <class Real>
+struct TableCells {
+  std::array<std::size_t, math::kLanes<Real>> index;
+  Real fraction;
 };
 
 /// Strictly increasing breakpoints. Looking up takes constant time (a table of equal buckets leads
@@ -40,6 +48,24 @@ class Axis {
     const std::size_t i = below(x);
     return {i, (x - breakpoints_[i]) / (breakpoints_[i + 1] - breakpoints_[i])};
   }
+  /// The same of each lane. There are two breakpoints at least.
+  template <std::size_t N>
+  [[nodiscard]] TableCells<math::Lanes<N>> cell(const math::Lanes<N>& x) const {
+    using Real = math::Lanes<N>;
+    EYRIE_ASSERT(size() >= 2);
+    const auto buckets =
+        math::whole_part((math::min(x, breakpoints_.back()) - breakpoints_.front()) * per_bucket_);
+    const auto index = math::each_of<N>([&](std::size_t i) {
+      std::size_t at = first_cell_[math::lane(buckets, i)];
+      while (math::lane(x, i) >= breakpoints_[at + 1] && at + 2 < size())
+        ++at;
+      return at;
+    });
+    const auto low = math::each_lane<Real>([&](std::size_t i) { return breakpoints_[index[i]]; });
+    const auto high =
+        math::each_lane<Real>([&](std::size_t i) { return breakpoints_[index[i] + 1]; });
+    return {.index = index, .fraction = math::clamp((x - low) / (high - low), 0, 1)};
+  }
   /// The last breakpoint not above `x`, which lies between the first and the last one.
   [[nodiscard]] std::size_t below(double x) const {
     std::size_t i = first_cell_[bucket(x)];
@@ -54,7 +80,7 @@ class Axis {
 
  private:
   [[nodiscard]] std::size_t bucket(double x) const {
-    return static_cast<std::size_t>((x - breakpoints_.front()) * per_bucket_);
+    return math::whole_part((x - breakpoints_.front()) * per_bucket_);
   }
 
   std::vector<double> breakpoints_{0.0};
@@ -64,8 +90,9 @@ class Axis {
 
 namespace detail {
 
-constexpr double mix(double a, double b, double fraction) {
-  return fraction >= 1 ? b : a + fraction * (b - a);  // exactly b at the end
+template <class Real>
+Real mix(const Real& a, const Real& b, const Real& fraction) {
+  return math::select(fraction >= 1, b, a + fraction * (b - a));  // exactly b at the end
 }
 
 }  // namespace detail

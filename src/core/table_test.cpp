@@ -43,6 +43,17 @@ TEST(Table1, MayBeConstant) {
   EXPECT_EQ(Table1::constant(4)(1e9), 4);
 }
 
+TEST(Axis, FindsTheSameCellsSideBySide) {
+  for (const Axis& axis : {Axis({0, 0.3, 0.9, 1.0}), Axis({-1, -0.999, 4, 5, 1e4}), Axis({2, 3})})
+    for (double x : {-kNoLimit, -1.0, -0.9995, 0.0, 0.3, 0.31, 0.9, 1.0, 2.0, 4.5, 1e4, kNoLimit}) {
+      const auto both = axis.cell(math::Lanes<2>(math::Lanes<2>::Vector{x, kNaN}));
+      EXPECT_EQ(both.index[0], axis.cell(x).index) << x;
+      EXPECT_EQ(math::lane(both.fraction, 0), axis.cell(x).fraction) << x;
+      EXPECT_EQ(both.index[1], 0U);
+      EXPECT_TRUE(std::isnan(math::lane(both.fraction, 1)));
+    }
+}
+
 TEST(Table1, NamesWhatIsWrong) {
   using Numbers = std::vector<double>;
   const auto problem = [](const Numbers& x, const Numbers& y) {

@@ -37,7 +37,7 @@ struct Kinematics {
 };
 
 /// Of its place.
-inline void set_vertical(Kinematics& k, const Vertical& at) {
+void set_vertical(auto& k, const auto& at) {
   k.north = at.north;
   k.east = at.east;
   k.down = at.down;
@@ -45,7 +45,7 @@ inline void set_vertical(Kinematics& k, const Vertical& at) {
 }
 /// Of the place to which it moved in a step. It goes on in the same direction: the heading turns
 /// against north.
-inline void carry_to(Kinematics& k, const Vertical& at) {
+void carry_to(auto& k, const auto& at) {
   k.heading = wrap_pi(k.heading - turn_of_north(k.east, at.north));
   set_vertical(k, at);
 }

@@ -3,7 +3,7 @@
 
 namespace eyrie::model::flight {
 
-void fly(const Sky& sky, std::span<Flyer> flyers) {
+void fly(const Sky& sky, std::span<Flyer* const> flyers) {
   std::size_t i = 0;
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx2"))

@@ -28,7 +28,7 @@ struct Flyer {
 };
 
 /// Flies one step of point_mass as the commands ask.
-void fly(const Sky& sky, std::span<Flyer> flyers);
+void fly(const Sky& sky, std::span<Flyer* const> flyers);
 /// Flies one step of laero.
 void fly_laero(const Sky& sky, Flyer& flyer);
 
@@ -38,13 +38,13 @@ Real turn_radius(const Real& speed, const Real& rate, const Real& lag) {
   return speed / math::max(rate, 1e-3) + speed * lag;
 }
 
-/// Kinematics in lanes.
+/// Kinematics in lanes, with the same members.
 template <class Real>
 struct Motion {
   Vec3Of<Real> position, velocity, north, east, down;
   Real altitude, heading, pitch, roll, speed, mach, load_factor;
 };
-/// Propulsion in lanes.
+/// Propulsion in lanes, with the same members.
 template <class Real>
 struct Engines {
   Real fuel, flow, throttle, thrust;
@@ -52,37 +52,19 @@ struct Engines {
 
 /// Flies one step as the commands ask, of as many as there are lanes; `kAlike`: all of one model.
 template <class Real, bool kAlike = math::kLanes<Real> == 1>
-[[gnu::flatten]] void fly_abreast(const Sky& sky, Flyer* flyers) {
+[[gnu::flatten]] void fly_abreast(const Sky& sky, Flyer* const* flyers) {
   constexpr std::size_t kCount = math::kLanes<Real>;
   const auto each = [&](auto of) {
-    return math::each_lane<Real>([&](std::size_t i) { return of(flyers[i]); });
+    return math::each_lane<Real>([&](std::size_t i) { return of(*flyers[i]); });
   };
-  const auto number = [&](double Kinematics::*of) {
-    return each([&](const Flyer& f) { return f.kinematics->*of; });
-  };
-  const auto vector = [&](Vec3 Kinematics::*of) -> Vec3Of<Real> {
-    return {each([&](const Flyer& f) { return (f.kinematics->*of).x; }),
-            each([&](const Flyer& f) { return (f.kinematics->*of).y; }),
-            each([&](const Flyer& f) { return (f.kinematics->*of).z; })};
-  };
-  Motion<Real> k{.position = vector(&Kinematics::position),
-                 .north = vector(&Kinematics::north),
-                 .east = vector(&Kinematics::east),
-                 .down = vector(&Kinematics::down),
-                 .altitude = number(&Kinematics::altitude),
-                 .heading = number(&Kinematics::heading),
-                 .pitch = number(&Kinematics::pitch),
-                 .roll = number(&Kinematics::roll),
-                 .speed = number(&Kinematics::speed),
-                 .load_factor = number(&Kinematics::load_factor)};
-  Engines<Real> engines{.fuel = each([](const Flyer& f) { return f.propulsion->fuel; }),
-                        .throttle = each([](const Flyer& f) { return f.propulsion->throttle; })};
+  const auto kinematics = math::each_of<kCount>([&](auto i) { return flyers[i]->kinematics; });
+  const auto propulsion = math::each_of<kCount>([&](auto i) { return flyers[i]->propulsion; });
+  auto k = math::to_lanes<Motion<Real>>(kinematics);
+  auto engines = math::to_lanes<Engines<Real>>(propulsion);
 
   // what place and speed decide
-  std::array<const PointMass*, kCount> models;
-  for (std::size_t i = 0; i < kCount; ++i)
-    models[i] = flyers[i].model;
-  const Equations<Real, kAlike> equations(models);
+  const Equations<Real, kAlike> equations(
+      math::each_of<kCount>([&](auto i) { return flyers[i]->model; }));
   const FlightConditionOf<Real> condition =
       equations.condition(k, sky.environment.atmosphere.at(k.altitude), engines.fuel,
                           LoadOf<Real>{each([](const Flyer& f) { return f.load.mass; }),
@@ -97,61 +79,43 @@ template <class Real, bool kAlike = math::kLanes<Real> == 1>
                   each([](const Flyer& f) { return f.model->airframe().autopilot.heading_time; }));
 
   // where to fly
-  const auto all = [&]<std::size_t... I>(std::index_sequence<I...>, auto of) {
-    return std::array{of(I)...};
-  };
-  constexpr std::make_index_sequence<kCount> kIndices;
-  const auto winds = all(kIndices, [&](std::size_t i) {
-    return sky.environment.wind.at(flyers[i].kinematics->altitude);
-  });
-  const auto wanted = all(kIndices, [&](std::size_t i) {
-    const Flyer& f = flyers[i];
+  const Wind& air = sky.environment.wind;
+  const auto winds = math::each_of<kCount>(
+      [&](auto i) { return air.is_calm() ? Vec3{} : air.at(kinematics[i]->altitude); });
+  const auto wanted = math::each_of<kCount>([&](std::size_t i) {
+    const Flyer& f = *flyers[i];
     return guide(f.model->airframe().autopilot, *f.kinematics, *f.command, f.routes,
                  math::lane(radius, i), *f.flying, winds[i], f.time, sky.dt);
   });
   for (std::size_t i = 0; i < kCount; ++i)
-    if (flyers[i].tells_energy)
-      flyers[i].flying->energy =
-          flyers[i].model->energy(lane_of(condition, i), flyers[i].kinematics->speed);
+    if (flyers[i]->tells_energy)
+      flyers[i]->flying->energy =
+          flyers[i]->model->energy(lane_of(condition, i), kinematics[i]->speed);
 
   auto afterburner = each([](const Flyer& f) { return f.flying->afterburner ? 1.0 : 0.0; }) > 0;
+  const auto [pitch, roll] = math::sin_cos(k.pitch, k.roll);
   const ControlsOf<Real> controls =
-      equations.steer(k, condition, WantedOf<Real>(wanted), load_factor, afterburner);
+      equations.steer(k, pitch, roll, condition, WantedOf<Real>(wanted), load_factor, afterburner);
   const auto wind = [&](double Vec3::*of) {
     return math::each_lane<Real>([&](std::size_t i) { return winds[i].*of; });
   };
-  equations.step(k, engines, condition, controls, {wind(&Vec3::x), wind(&Vec3::y), wind(&Vec3::z)},
-                 sky.dt);
+  equations.step(k, pitch, engines, condition, controls,
+                 {wind(&Vec3::x), wind(&Vec3::y), wind(&Vec3::z)}, sky.dt);
   const VerticalOf<Real> at = sky.reference.vertical_at(k.position);
-  k.heading = wrap_pi(k.heading - turn_of_north(k.east, at.north));
+  carry_to(k, at);
 
+  const auto runs_dry = burn(engines, sky.dt);
+
+  math::from_lanes(k, kinematics);
+  math::from_lanes(engines, propulsion);
   for (std::size_t i = 0; i < kCount; ++i) {
-    const auto of = [&](const Vec3Of<Real>& v) {
-      return Vec3{math::lane(v.x, i), math::lane(v.y, i), math::lane(v.z, i)};
-    };
-    *flyers[i].kinematics = {.position = of(k.position),
-                             .velocity = of(k.velocity),
-                             .north = of(at.north),
-                             .east = of(at.east),
-                             .down = of(at.down),
-                             .altitude = math::lane(at.altitude, i),
-                             .heading = math::lane(k.heading, i),
-                             .pitch = math::lane(k.pitch, i),
-                             .roll = math::lane(k.roll, i),
-                             .speed = math::lane(k.speed, i),
-                             .mach = math::lane(k.mach, i),
-                             .load_factor = math::lane(k.load_factor, i)};
-    Propulsion& propulsion = *flyers[i].propulsion;
-    propulsion.flow = math::lane(engines.flow, i);
-    propulsion.throttle = math::lane(engines.throttle, i);
-    propulsion.thrust = math::lane(engines.thrust, i);
-    flyers[i].flying->afterburner = math::holds(afterburner, i);
-    flyers[i].ran_dry = burn(propulsion, sky.dt);
+    flyers[i]->flying->afterburner = math::holds(afterburner, i);
+    flyers[i]->ran_dry = math::holds(runs_dry, i);
   }
 }
 
 /// Flies in the lanes of AVX2 what fills them, and says how many that were; for a processor that
 /// has it.
-[[nodiscard]] std::size_t fly_in_lanes(const Sky& sky, std::span<Flyer> flyers);
+[[nodiscard]] std::size_t fly_in_lanes(const Sky& sky, std::span<Flyer* const> flyers);
 
 }  // namespace eyrie::model::flight

@@ -9,16 +9,17 @@ namespace eyrie::model::flight {
 namespace {
 
 template <class Real>
-void fly_lanes(const Sky& sky, Flyer* flyers) {
+void fly_lanes(const Sky& sky, Flyer* const* flyers) {
   bool alike = true;
   for (std::size_t i = 1; i < math::kLanes<Real>; ++i)
-    alike &= flyers[i].model == flyers[0].model;
+    alike &= flyers[i]->model == flyers[0]->model;
   alike ? fly_abreast<Real, true>(sky, flyers) : fly_abreast<Real, false>(sky, flyers);
 }
 
 }  // namespace
 
-std::size_t fly_in_lanes([[maybe_unused]] const Sky& sky, [[maybe_unused]] std::span<Flyer> all) {
+std::size_t fly_in_lanes([[maybe_unused]] const Sky& sky,
+                         [[maybe_unused]] std::span<Flyer* const> all) {
   std::size_t next = 0;
 #ifdef __AVX2__
   for (; next + 4 <= all.size(); next += 4)

@@ -77,7 +77,10 @@ struct Crowd {
                           .time = step * test::kDt,
                           .tells_energy = step % 5 == 0});
       }
-      fly_those(Sky{reference, environment, test::kDt}, std::span(flyers));
+      std::vector<Flyer*> all;
+      for (Flyer& flyer : flyers)
+        all.push_back(&flyer);
+      fly_those(Sky{reference, environment, test::kDt}, std::span<Flyer* const>(all));
       for (const Flyer& flyer : flyers)
         ran_dry += flyer.ran_dry;
     }
@@ -96,7 +99,7 @@ struct Crowd {
 };
 
 template <class Real>
-void in_groups(const Sky& sky, std::span<Flyer> flyers) {
+void in_groups(const Sky& sky, std::span<Flyer* const> flyers) {
   for (std::size_t i = 0; i < flyers.size(); i += math::kLanes<Real>)
     fly_abreast<Real>(sky, &flyers[i]);
 }
@@ -125,7 +128,7 @@ TEST(Abreast, FliesInTheLanesOfThisProcessorAsItFliesAlone) {
   alone.fly(60, in_groups<double>);
   for (const std::size_t size : {Crowd::kSize, std::size_t{7}, std::size_t{1}}) {
     Crowd parts;
-    parts.fly(60, [&](const Sky& sky, std::span<Flyer> flyers) {
+    parts.fly(60, [&](const Sky& sky, std::span<Flyer* const> flyers) {
       flight::fly(sky, flyers.first(size));
       flight::fly(sky, flyers.subspan(size));
     });

@@ -23,18 +23,12 @@ struct WantedOf {
         aims(math::each_lane<Real>([&](std::size_t i) { return of[i].climb ? 1.0 : 0.0; }) > 0) {}
 };
 
-/// A place in one axis of each aircraft's tables.
-template <class Real>
-struct CellOf {
-  std::array<std::size_t, math::kLanes<Real>> index;
-  Real fraction;
-};
-
 /// `kAlike`: all are of one model, so that its numbers are the same in every lane.
 template <class Real, bool kAlike = math::kLanes<Real> == 1>
 class Equations {
  public:
   using Mask = math::MaskOf<Real>;
+  using SinCos = math::SinCosOf<Real>;
   static constexpr std::size_t kCount = math::kLanes<Real>;
   using Models = std::array<const PointMass*, kCount>;
 
@@ -52,24 +46,24 @@ class Equations {
     c.speed_of_sound = air.speed_of_sound;
     c.density_root = math::sqrt(air.density * (1 / kSeaLevelDensity));
 
-    const CellOf<Real> cell = cell_of(&PointMass::mach_, c.mach);
-    const auto blend = [&](double PointMass::ByMach::*of) {
-      const Real below = math::each_lane<Real>(
-          [&](std::size_t i) { return model(i).by_mach_[cell.index[i]].*of; });
-      const Real above = math::each_lane<Real>([&](std::size_t i) {
-        const auto& by_mach = model(i).by_mach_;
-        return by_mach[std::min(cell.index[i] + 1, by_mach.size() - 1)].*of;
-      });
-      return below + cell.fraction * (above - below);
+    using ByMach = PointMass::ByMachOf<Real>;
+    const TableCells<Real> cell = cell_of(&PointMass::mach_, c.mach);
+    const auto at = [&](std::size_t next) {
+      return math::to_lanes<ByMach>(math::each_of<kCount>(
+          [&](std::size_t i) { return &model(i).by_mach_[cell.index[i] + next]; }));
+    };
+    const ByMach below = at(0), above = at(1);
+    const auto blend = [&](Real ByMach::*of) {
+      return below.*of + cell.fraction * (above.*of - below.*of);
     };
     const Real pressure = 0.5 * air.density * speed * speed;
     const Real lift = pressure * each(&Aerodynamics::wing_area);  // per lift coefficient
     const Real weight = c.mass * kGravity;
-    c.zero_lift_drag = lift * blend(&PointMass::ByMach::zero_lift_drag) + pressure * load.drag_area;
-    c.induced_drag = blend(&PointMass::ByMach::induced_drag) * weight * weight / lift;
+    c.zero_lift_drag = lift * blend(&ByMach::zero_lift_drag) + pressure * load.drag_area;
+    c.induced_drag = blend(&ByMach::induced_drag) * weight * weight / lift;
     c.separation = each(&Aerodynamics::separation_lift) * lift / weight;
     c.separation_drag = each(&Aerodynamics::separation_drag) * weight * weight / lift;
-    c.lift_limit = blend(&PointMass::ByMach::max_lift) * lift / weight;
+    c.lift_limit = blend(&ByMach::max_lift) * lift / weight;
     const ThrustOf<Real> thrust = thrust_at(cell, k.altitude);
     const Mask runs = fuel > 0;
     c.thrust = {.idle = math::select(runs, thrust.idle, 0),
@@ -84,9 +78,10 @@ class Equations {
   /// gets too slow. A wanted climb angle (Guidance::climb) is a direction of flight: the lift
   /// vector goes to it, past the vertical and upside down too, and neither height nor flying speed
   /// have priority. `afterburner` is lit when it falls behind the speed asked for, and put out once
-  /// military power is enough.
+  /// military power is enough. `pitch` and `roll` are those of `k`.
   template <class K>
-  ControlsOf<Real> steer(const K& k, const FlightConditionOf<Real>& c, const WantedOf<Real>& wanted,
+  ControlsOf<Real> steer(const K& k, const SinCos& pitch, const SinCos& roll,
+                         const FlightConditionOf<Real>& c, const WantedOf<Real>& wanted,
                          const Real& load_factor, Mask& afterburner) const {
     const Real push_limit = each(&Autopilot::push_limit), speed_time = each(&Autopilot::speed_time);
     const Real speed = math::max(k.speed, 1);
@@ -101,13 +96,12 @@ class Equations {
     const Real most = math::max(
         math::min(math::min(load_factor, each(&FlightLimits::max_load_factor)), c.lift_limit),
         math::max(push_limit, 0));
-    const auto [pitch, roll] = math::sin_cos(k.pitch, k.roll);
     Lift lift{0, 0, 0};
     // out of a steep climb, too: letting go bends no path that stands upright
     const Mask aims = wanted.aims | (pitch.sin > kSteep);
     if (math::any(aims))
       lift = lift_towards(k, pitch, wanted, most);
-    if (math::any(!aims)) {  // upwards first
+    if (!math::all(aims)) {  // upwards first
       const Real turn_rate =
           angle_between(k.heading, wanted.heading) / each(&Autopilot::heading_time) +
           wanted.turn_rate;
@@ -154,9 +148,9 @@ class Equations {
   /// structure and lift; the throttle spools; forces stay constant during the step and the motion
   /// is integrated by the midpoint rule, which changes the energy by the work of thrust and drag
   /// only. Sets the fuel flow; the caller burns it. Leaves everything of `k` but the vertical axes
-  /// and the altitude of the new position, which the caller sets.
+  /// and the altitude of the new position, which the caller sets. `climb` is the pitch of `k`.
   template <class K, class E>
-  void step(K& k, E& engines, const FlightConditionOf<Real>& condition,
+  void step(K& k, const SinCos& climb, E& engines, const FlightConditionOf<Real>& condition,
             const ControlsOf<Real>& controls, const Vec3Of<Real>& wind_ned, double dt) const {
     // load factor: what structure and wing allow of what is asked
     const Real most = math::min(each(&FlightLimits::max_load_factor), condition.lift_limit);
@@ -178,7 +172,7 @@ class Equations {
     const Real along = (engines.thrust - condition.drag(k.load_factor)) / condition.mass;  // m/s2
 
     // half a step to find the climb angle in its middle
-    const auto [roll, climb] = math::sin_cos(k.roll, k.pitch);
+    const SinCos roll = math::sin_cos(k.roll);
     const Real upward = kGravity * k.load_factor * roll.cos;  // m/s2, across the path
     const Real sideward = kGravity * k.load_factor * roll.sin;
     const Real speed = math::max(k.speed, kLeastSpeed);
@@ -232,8 +226,12 @@ class Equations {
     const Real at_military = dry * available.military;
     const Real share = math::select(available.military > 0,
                                     Engine::thrust_of(available, throttle) / available.military, 0);
-    const Real part = math::each_lane<Real>(
-        [&](std::size_t i) { return model(i).airframe().engine.part_power(math::lane(share, i)); });
+    const TableCells<Real> cell = cell_of(&PointMass::share_, share);
+    const auto part_at = [&](std::size_t next) {
+      return math::each_lane<Real>(
+          [&](std::size_t i) { return model(i).part_power_[cell.index[i] + next]; });
+    };
+    const Real part = detail::mix(part_at(0), part_at(1), cell.fraction);
     const Real at_full = wet * available.afterburner;
     return math::max(math::select(throttle <= 1, at_military * part,
                                   at_military + (throttle - 1) * (at_full - at_military)),
@@ -248,7 +246,6 @@ class Equations {
   }
 
  private:
-  using SinCos = math::SinCosOf<Real>;
   static constexpr double kLeastSpeed = 1;   ///< m/s: a direction of flight must exist
   static constexpr double kLevelLift = 0.3;  ///< g: who lets the nose fall banks as with so much
   static constexpr double kSteep = 0.8;      ///< sine of a climb angle of 53 degrees
@@ -280,37 +277,39 @@ class Equations {
     return of_each([of](const PointMass& m) { return m.airframe().autopilot.*of; });
   }
 
-  CellOf<Real> cell_of(Axis PointMass::*axis, const Real& x) const {
-    CellOf<Real> cell;
-    cell.fraction = math::each_lane<Real>([&](std::size_t i) {
-      const TableCell at = (model(i).*axis).cell(math::lane(x, i));
-      cell.index[i] = at.index;
-      return at.fraction;
-    });
-    return cell;
+  TableCells<Real> cell_of(Axis PointMass::*axis, const Real& x) const {
+    if constexpr (kAlike && kCount > 1) {
+      return (model(0).*axis).cell(x);
+    } else {
+      TableCells<Real> cells;
+      cells.fraction = math::each_lane<Real>([&](std::size_t i) {
+        const TableCell at = (model(i).*axis).cell(math::lane(x, i));
+        cells.index[i] = at.index;
+        return at.fraction;
+      });
+      return cells;
+    }
   }
 
-  ThrustOf<Real> thrust_at(const CellOf<Real>& mach, const Real& altitude) const {
-    const CellOf<Real> cell = cell_of(&PointMass::altitude_, altitude);
-    const auto at = [&](bool faster, bool higher, double PointMass::Power::*of) {
-      return math::each_lane<Real>([&](std::size_t i) {
+  ThrustOf<Real> thrust_at(const TableCells<Real>& mach, const Real& altitude) const {
+    using Power = PointMass::PowerOf<Real>;
+    const TableCells<Real> cell = cell_of(&PointMass::altitude_, altitude);
+    const auto at = [&](std::size_t next) {
+      return math::to_lanes<Power>(math::each_of<kCount>([&](std::size_t i) {
         const PointMass& m = model(i);
-        const std::size_t columns = m.altitude_.size();
-        return m.power_[(mach.index[i] + (faster && m.mach_.size() > 1)) * columns + cell.index[i] +
-                        (higher && columns > 1)].*
-               of;
-      });
+        return &m.power_[(mach.index[i] + next) * (m.altitude_.size() - 1) + cell.index[i]];
+      }));
     };
-    const auto blend = [&](double PointMass::Power::*of) {
-      const Real low = at(false, false, of), low_fast = at(true, false, of);
-      const Real slower = low + cell.fraction * (at(false, true, of) - low);
-      const Real faster = low_fast + cell.fraction * (at(true, true, of) - low_fast);
+    const Power slow = at(0), fast = at(1);
+    const auto blend = [&](Real Power::*here, Real Power::*above) {
+      const Real slower = slow.*here + cell.fraction * (slow.*above - slow.*here);
+      const Real faster = fast.*here + cell.fraction * (fast.*above - fast.*here);
       return slower + mach.fraction * (faster - slower);
     };
-    const Real military = blend(&PointMass::Power::military);
+    const Real military = blend(&Power::military, &Power::military_above);
     return {.idle = each(&Engine::idle_share) * military,
             .military = military,
-            .afterburner = blend(&PointMass::Power::afterburner)};
+            .afterburner = blend(&Power::afterburner, &Power::afterburner_above)};
   }
 
   /// Sine of the climb angle that leads to the altitude, as far as energy allows: upwards what the

@@ -8,7 +8,7 @@
 namespace eyrie::model::flight {
 namespace {
 
-constexpr std::size_t kAbreast = 8;
+constexpr std::size_t kAbreast = 16;
 
 std::size_t station_index(const weapon::Station& station) {
   return station.store * std::size_t{256} + station.count;
@@ -67,26 +67,26 @@ void FlightSystem::move_together(std::span<const sim::Share> shares) const {
   if (shares.empty())
     return;
   const Sky sky{library_->reference, library_->environment, shares.front().info.dt};
-  /// One of those who fly side by side.
+  /// One of those who fly at once.
   struct Seat {
-    const sim::Share* share;
-    std::size_t row;
-    bool ran_dry;
+    Flyer flyer;
+    sim::Outbox* out;
+    PlayerId who;
   };
   std::array<Seat, kAbreast> seats;
-  std::array<Flyer, kAbreast> flyers;         // of point_mass
-  std::array<std::size_t, kAbreast> seat_of;  // of each of these
+  std::array<Flyer*, kAbreast> abreast;  // those of point_mass
   std::size_t seated = 0, count = 0;
   const auto fly_all = [&] {
-    fly(sky, std::span(flyers).first(count));
-    for (std::size_t i = 0; i < count; ++i)
-      seats[seat_of[i]].ran_dry = flyers[i].ran_dry;
+    // who aims is steered by other equations: lanes of one kind leave out those of the other
+    const auto flyers = std::span(abreast).first(count);
+    std::partition(flyers.begin(), flyers.end(),
+                   [](const Flyer* f) { return f->command->mode == AutopilotMode::aim; });
+    fly(sky, flyers);
     for (const Seat& seat : std::span(seats).first(seated))
-      if (seat.ran_dry) [[unlikely]]
-        seat.share->out->emit(
-            {.kind = EventKind::fuel_out,
-             .who = seat.share->world->ids(columns_.table)[seat.row],
-             .place = seat.share->world->rows(columns_.kinematics)[seat.row].position});
+      if (seat.flyer.ran_dry) [[unlikely]]
+        seat.out->emit({.kind = EventKind::fuel_out,
+                        .who = seat.who,
+                        .place = seat.flyer.kinematics->position});
     seated = count = 0;
   };
   for (const sim::Share& share : shares) {
@@ -103,23 +103,23 @@ void FlightSystem::move_together(std::span<const sim::Share> shares) const {
       if (fit[i].remote != 0)
         continue;
       const AircraftType& type = library_->aircraft[fit[i].type];
-      Flyer& f = flyers[count];
-      f = {.model = &models_[type.index.airframe],
-           .kinematics = &kinematics[i],
-           .flying = &flying[i],
-           .propulsion = &propulsion[i],
-           .command = &command[i],
-           .routes = routes_[std::min<std::size_t>(fit[i].flight, routes_.size() - 1)],
-           .load = {},
-           .time = time};
-      Seat& seat = seats[seated] = {&share, i, false};
+      Seat& seat = seats[seated];
+      seat.out = share.out;
+      seat.who = ids[i];
+      Flyer& f = seat.flyer;
+      f.model = &models_[type.index.airframe];
+      f.kinematics = &kinematics[i];
+      f.flying = &flying[i];
+      f.propulsion = &propulsion[i];
+      f.command = &command[i];
+      f.routes = routes_[std::min<std::size_t>(fit[i].flight, routes_.size() - 1)];
+      f.time = time;
       if (type.dynamics == Dynamics::laero) {
         fly_laero(sky, f);
-        seat.ran_dry = f.ran_dry;
       } else {
         f.load = load_of(stores[i]);
         f.tells_energy = sim::due(share.info.step + 1, ids[i], period_);
-        seat_of[count++] = seated;
+        abreast[count++] = &f;
       }
       if (++seated == kAbreast)
         fly_all();

@@ -74,14 +74,11 @@ struct Propulsion {
 };
 
 /// Takes what `flow` burns in `dt` seconds out of the tanks. True when they run dry right now.
-[[nodiscard]] inline bool burn(Propulsion& p, double dt) {
-  if (p.fuel <= 0)
-    return false;
-  p.fuel -= p.flow * dt;
-  if (p.fuel > 0)
-    return false;
-  p.fuel = 0;
-  return true;
+[[nodiscard]] auto burn(auto& p, double dt) {
+  const auto left = p.fuel - p.flow * dt;
+  const auto empty = p.fuel <= 0, is_left = left > 0;
+  p.fuel = math::select(empty, p.fuel, math::select(is_left, left, 0));
+  return !(empty | is_left);
 }
 
 }  // namespace eyrie::model::flight

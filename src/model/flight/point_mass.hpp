@@ -86,19 +86,23 @@ class PointMass {
  private:
   template <class Real, bool kAlike>
   friend class Equations;
-  struct ByMach {
-    double zero_lift_drag, induced_drag, max_lift;
-    double lift_slope = 0;  ///< of max_lift up to the next
+  template <class Real>
+  struct ByMachOf {
+    Real zero_lift_drag, induced_drag, max_lift;
+    Real lift_slope;  ///< of max_lift up to the next
   };
-  struct Power {
-    double military, afterburner;
+  /// Full power at one altitude, and at the next.
+  template <class Real>
+  struct PowerOf {
+    Real military, afterburner, military_above, afterburner_above;
   };
 
   Airframe airframe_;
   double steepest_climb_, steepest_dive_;  ///< sines of the autopilot's largest angles
-  Axis mach_, altitude_;
-  std::vector<ByMach> by_mach_;
-  std::vector<Power> power_;  ///< by Mach number, then by altitude
+  Axis mach_, altitude_, share_;           ///< of two breakpoints at least
+  std::vector<ByMachOf<double>> by_mach_;
+  std::vector<PowerOf<double>> power_;  ///< by Mach number, then by altitude
+  std::vector<double> part_power_;      ///< by share of military thrust
 };
 
 }  // namespace eyrie::model::flight

@@ -264,7 +264,8 @@ TEST(PointMass, IsIntegratedToSecondOrder) {
     const FlightCondition condition = f.condition();
     for (int i = 0; i < static_cast<int>(std::lround(6 / dt)); ++i)
       Equations<double>({&f.model})
-          .step(k, f.propulsion, condition, {.load_factor = 4, .bank = 0.7}, {}, dt);
+          .step(k, math::sin_cos(k.pitch), f.propulsion, condition, {.load_factor = 4, .bank = 0.7},
+                {}, dt);
     return k.position;
   };
   const Vec3 exact = end(0.001);

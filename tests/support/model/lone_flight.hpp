@@ -72,7 +72,7 @@ struct TestFlight {
     if (dynamics == flight::Dynamics::laero)
       flight::fly_laero(sky, flyer);
     else
-      flight::fly(sky, std::span(&flyer, 1));
+      flight::fly(sky, std::array{&flyer});
     time += kDt;
     return flyer.ran_dry;
   }
@@ -83,7 +83,8 @@ struct TestFlight {
 
   /// Without the autopilot.
   void step(const flight::Controls& controls) {
-    flight::Equations<double>({&model}).step(kinematics, propulsion, condition(), controls,
+    flight::Equations<double>({&model}).step(kinematics, math::sin_cos(kinematics.pitch),
+                                             propulsion, condition(), controls,
                                              environment.wind.at(kinematics.altitude), kDt);
     carry_to(kinematics, reference.vertical_at(kinematics.position));
     time += kDt;
