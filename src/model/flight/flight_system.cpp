@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/flight_system.hpp"
 
+#include <cstring>
+
 #include "model/events.hpp"
 #include "model/flight/abreast.hpp"
 #include "model/flight/collision.hpp"
@@ -52,9 +54,15 @@ FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const
 }
 
 Load FlightSystem::load_of(const weapon::Stores& stores) const {
+  constexpr std::size_t kTogether = sizeof(std::uint64_t) / sizeof(weapon::Station);
+  static_assert(weapon::kMaxStations % kTogether == 0);
   math::Lanes<2> load(0);
-  for (const weapon::Station& station : stores.stations)
-    load += loads_[station_index(station)];
+  for (std::size_t i = 0; i < weapon::kMaxStations; i += kTogether) {
+    std::uint64_t stations = 0;
+    std::memcpy(&stations, &stores.stations[i], sizeof stations);
+    for (std::size_t next = i; stations != 0 && next < i + kTogether; ++next)
+      load += loads_[station_index(stores.stations[next])];
+  }
   return {.mass = load.v[0], .drag_area = load.v[1]};
 }
 
@@ -130,25 +138,25 @@ void FlightSystem::move_together(std::span<const sim::Share> shares) const {
 
 void FlightSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                             sim::Outbox& out) const {
-  const auto ids = world.ids(columns_.table);
-  const auto fit = world.rows(columns_.fit);
   const auto kinematics = world.rows(columns_.kinematics);
+  const auto crash = [&](std::size_t i, PlayerId into) {
+    if (world.rows(columns_.fit)[i].remote == 0)
+      out.emit({.kind = EventKind::crash,
+                .who = world.ids(columns_.table)[i],
+                .whom = into,
+                .place = kinematics[i].position});
+  };
   for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-    if (kinematics[i].altitude < 0 && fit[i].remote == 0)
-      out.emit({.kind = EventKind::crash, .who = ids[i], .place = kinematics[i].position});
+    if (kinematics[i].altitude < 0) [[unlikely]]
+      crash(i, {});
 
   // ten times a second, over the way flown since the last time
   const auto every = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(0.1 / info.dt + 0.5));
   const auto flown = std::min<std::uint64_t>(every, info.step + 1);
   if (info.step % every == 0)
-    for_each_collision(kinematics, chunk.begin, chunk.end, static_cast<double>(flown) * info.dt,
-                       [&](std::size_t i, std::size_t other) {
-                         if (fit[i].remote == 0)
-                           out.emit({.kind = EventKind::crash,
-                                     .who = ids[i],
-                                     .whom = ids[other],
-                                     .place = kinematics[i].position});
-                       });
+    for_each_collision(
+        kinematics, chunk.begin, chunk.end, static_cast<double>(flown) * info.dt,
+        [&](std::size_t i, std::size_t other) { crash(i, world.ids(columns_.table)[other]); });
 }
 
 }  // namespace eyrie::model::flight
