@@ -40,6 +40,44 @@ Flat leg_direction(const Kinematics& own, const Route& route, std::size_t leg) {
   return unit(flat(own, to - from));
 }
 
+/// Whether waypoint `leg`, so far away, is behind who flies to it, or near enough to turn onwards.
+bool reached(const GuidanceGains& gains, const Kinematics& own, const Route& route, std::size_t leg,
+             Flat to_target, double turn_radius) {
+  const double distance = to_target.size();
+  const double wide = 10 * gains.capture_radius, near = wide + 3 * turn_radius;
+  if (distance < gains.capture_radius || !(distance < near))
+    return distance < gains.capture_radius;
+  const Flat along = leg > 0 ? leg_direction(own, route, leg) : unit(to_target);
+  const double to_go = dot(to_target, along), beside = dot(to_target, along.right());
+
+  // abeam; on the first leg, which has no direction, behind the wings
+  const double passed = leg > 0 ? to_go : dot(to_target, flat(own, own.velocity));
+  if (passed <= 0 && distance < wide)
+    return true;
+
+  // where the turn onto the next leg begins: radius * tan(half the turn), at most 3 radii
+  const std::size_t count = route.waypoints.size(), next = leg + 1 < count ? leg + 1 : 0;
+  const bool is_near = to_go < 3 * turn_radius && std::fabs(beside) < wide;
+  if (!is_near || (next == 0 && route.end != RouteEnd::repeat) || count == 1)
+    return false;
+  const Flat onward =
+      unit(flat(own, route.waypoints[next].position - route.waypoints[leg].position));
+  const double cosine = std::clamp(dot(along, onward), -1.0, 1.0);
+  const double half = std::sqrt((1 - cosine) / std::max(1 + cosine, 1e-9));
+  return to_go < turn_radius * std::min(half, 3.0);
+}
+
+[[gnu::noinline]] NavState next_leg(const GuidanceGains& gains, const Kinematics& own,
+                                    const Route& route, NavState nav, Flat to_target,
+                                    double turn_radius) {
+  if (!reached(gains, own, route, nav.leg, to_target, turn_radius))
+    return nav;
+  ++nav.leg;
+  if (nav.leg == route.waypoints.size() && route.end == RouteEnd::repeat)
+    nav.leg = 0;
+  return nav;
+}
+
 }  // namespace
 
 double crab(double course, double speed, const Vec3& wind_ned) {
@@ -130,41 +168,15 @@ Guidance route_guidance(const GuidanceGains& gains, const Kinematics& own, const
 
 NavState advance_leg(const GuidanceGains& gains, const Kinematics& own, const Route& route,
                      NavState nav, double turn_radius) {
-  const std::size_t count = route.waypoints.size();
-  if (nav.leg >= count)
+  if (nav.leg >= route.waypoints.size())
     return nav;
-
+  // too far away, as nearly always: without a root
   const Flat to_target = flat(own, route.waypoints[nav.leg].position - own.position);
-  const double wide = 10 * gains.capture_radius, near = wide + 3 * turn_radius;
-  if (dot(to_target, to_target) > 1.001 * near * near)
-    return nav;  // as nearly always, without a root
-  const double distance = to_target.size();
-  bool reached = distance < gains.capture_radius;
-  if (!reached && distance < near) {
-    const Flat along = nav.leg > 0 ? leg_direction(own, route, nav.leg) : unit(to_target);
-    const double to_go = dot(to_target, along), beside = dot(to_target, along.right());
-
-    // abeam; on the first leg, which has no direction, behind the wings
-    const double passed = nav.leg > 0 ? to_go : dot(to_target, flat(own, own.velocity));
-    reached = passed <= 0 && distance < wide;
-
-    // where the turn onto the next leg begins: radius * tan(half the turn), at most 3 radii
-    const std::size_t next = nav.leg + 1u < count ? nav.leg + 1u : 0u;
-    const bool is_near = to_go < 3 * turn_radius && std::fabs(beside) < wide;
-    if (!reached && is_near && (next > 0 || route.end == RouteEnd::repeat) && count > 1) {
-      const Flat onward =
-          unit(flat(own, route.waypoints[next].position - route.waypoints[nav.leg].position));
-      const double cosine = std::clamp(dot(along, onward), -1.0, 1.0);
-      const double half = std::sqrt((1 - cosine) / std::max(1 + cosine, 1e-9));
-      reached = to_go < turn_radius * std::min(half, 3.0);
-    }
-  }
-  if (!reached)
+  const double wide = 10 * gains.capture_radius, turns = 3 * turn_radius;
+  const double far = nav.leg > 0 ? wide + turns : std::max(wide, turns);
+  if (dot(to_target, to_target) > 1.001 * far * far)
     return nav;
-  ++nav.leg;
-  if (nav.leg == count && route.end == RouteEnd::repeat)
-    nav.leg = 0;
-  return nav;
+  return next_leg(gains, own, route, nav, to_target, turn_radius);
 }
 
 }  // namespace eyrie::model::flight
