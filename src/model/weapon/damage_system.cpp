@@ -46,7 +46,6 @@ void DamageSystem::apply_order(sim::World& world, const sim::StepInfo&, const si
 
 void DamageSystem::commit(sim::World& world, const sim::StepInfo&,
                           std::span<const sim::Event> events, sim::CommitContext& context) const {
-  const auto damages = world.rows(aircraft_.damage);
   for (const sim::Event& event : events) {
     if (event.kind == EventKind::crash || event.kind == EventKind::home ||
         event.kind == EventKind::loss) {
@@ -58,7 +57,7 @@ void DamageSystem::commit(sim::World& world, const sim::StepInfo&,
     const auto row = world.row(aircraft_.table, event.whom);
     if (!row)
       continue;
-    Damage& damage = damages[*row];
+    Damage& damage = world.rows(aircraft_.damage)[*row];
     const bool alive = damage.damage < 1;
     damage.damage += static_cast<double>(event.values[0]);
     damage.last_hit_by = event.who;

@@ -50,57 +50,64 @@ void end_burst(PlayerId who, const Vec3& place, GunState& gun, sim::Outbox& out)
 
 void GunSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                          sim::Outbox& out) const {
+  const auto requests = std::as_const(world).rows(aircraft_.request);
+  const auto guns = std::as_const(world).rows(aircraft_.gun);
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+    if (requests[i].trigger != 0 || guns[i].burst_rounds != 0)
+      use(world, info, i, out);
+}
+
+void GunSystem::use(sim::World& world, const sim::StepInfo& info, std::size_t self,
+                    sim::Outbox& out) const {
   const auto ids = world.ids(aircraft_.table);
   const auto fit = world.rows(aircraft_.fit);
-  const auto requests = world.rows(aircraft_.request);
-  const auto guns = world.rows(aircraft_.gun);
   const auto kinematics = std::as_const(world).rows(aircraft_.kinematics);
+  GunState& state = world.rows(aircraft_.gun)[self];
+  const auto end = [&] { end_burst(ids[self], kinematics[self].position, state, out); };
 
-  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-    GunState& state = guns[i];
-    const auto& mounted = library_->aircraft[fit[i].type].index.gun;
-    if (!mounted || requests[i].trigger == 0 || state.rounds == 0) {
-      if (state.burst_rounds != 0)
-        end_burst(ids[i], kinematics[i].position, state, out);
-      continue;
-    }
-    const GunType& gun = library_->guns[*mounted];
-    const double density = library_->environment.atmosphere.at(kinematics[i].altitude).density;
-    const auto target = in_sight(gun, density, i, kinematics);
-    const double chance = target
-                              ? hit_probability(gun, target->lead,
-                                                library_->aircraft[fit[target->row].type].signature,
-                                                kinematics[target->row])
-                              : 0;
-    // another one takes the burst over as soon as it can hit him
-    if (target && (state.burst_rounds == 0 || !state.burst_target ||
-                   (state.burst_target != ids[target->row] && chance > 0))) {
-      if (state.burst_target) {  // to each his own burst; the gun fires on
-        const double owed = state.owed;
-        end_burst(ids[i], kinematics[i].position, state, out);
-        state.owed = owed;
-      }
-      state.burst_target = ids[target->row];
-      state.burst_range = target->lead.range;
-    }
-
-    const std::uint32_t rounds = fire(gun, info.dt, state);
-    std::uint32_t hits = 0;
-    if (target) {
-      Draw draw(info.seed, ids[i], Stream::gun, info.step);
-      for (std::uint32_t round = 0; chance > 0 && round < rounds; ++round)
-        hits += draw.chance(chance) ? 1 : 0;
-      if (hits != 0 && fit[target->row].remote == 0)
-        out.emit({.kind = EventKind::hit,
-                  .who = ids[i],
-                  .whom = ids[target->row],
-                  .place = kinematics[target->row].position,
-                  .values = {static_cast<float>(hits * gun.damage), kNothing}});
-    }
-    state.burst_hits += hits;
-    if (state.rounds == 0 || state.burst_rounds >= gun.longest_burst * gun.rate)
-      end_burst(ids[i], kinematics[i].position, state, out);
+  const auto& mounted = library_->aircraft[fit[self].type].index.gun;
+  if (!mounted || std::as_const(world).rows(aircraft_.request)[self].trigger == 0 ||
+      state.rounds == 0) {
+    if (state.burst_rounds != 0)
+      end();
+    return;
   }
+  const GunType& gun = library_->guns[*mounted];
+  const double density = library_->environment.atmosphere.at(kinematics[self].altitude).density;
+  const auto target = in_sight(gun, density, self, kinematics);
+  const double chance =
+      target
+          ? hit_probability(gun, target->lead, library_->aircraft[fit[target->row].type].signature,
+                            kinematics[target->row])
+          : 0;
+  // another one takes the burst over as soon as it can hit him
+  if (target && (state.burst_rounds == 0 || !state.burst_target ||
+                 (state.burst_target != ids[target->row] && chance > 0))) {
+    if (state.burst_target) {  // to each his own burst; the gun fires on
+      const double owed = state.owed;
+      end();
+      state.owed = owed;
+    }
+    state.burst_target = ids[target->row];
+    state.burst_range = target->lead.range;
+  }
+
+  const std::uint32_t rounds = fire(gun, info.dt, state);
+  std::uint32_t hits = 0;
+  if (target) {
+    Draw draw(info.seed, ids[self], Stream::gun, info.step);
+    for (std::uint32_t round = 0; chance > 0 && round < rounds; ++round)
+      hits += draw.chance(chance) ? 1 : 0;
+    if (hits != 0 && fit[target->row].remote == 0)
+      out.emit({.kind = EventKind::hit,
+                .who = ids[self],
+                .whom = ids[target->row],
+                .place = kinematics[target->row].position,
+                .values = {static_cast<float>(hits * gun.damage), kNothing}});
+  }
+  state.burst_hits += hits;
+  if (state.rounds == 0 || state.burst_rounds >= gun.longest_burst * gun.rate)
+    end();
 }
 
 }  // namespace eyrie::model::weapon

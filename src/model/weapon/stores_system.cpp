@@ -31,51 +31,51 @@ bool waits_for_lock(const sim::World& world, const AircraftColumns& aircraft,
 
 void StoresSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                        sim::Outbox& out) const {
-  const auto ids = world.ids(aircraft_.table);
-  const auto requests = world.rows(aircraft_.request);
-  const auto stores = world.rows(aircraft_.stores);
-  const auto tracks = world.rows(aircraft_.tracks);
-  const auto kinematics = world.rows(aircraft_.kinematics);
-  const double time = info.time();
-
+  const auto requests = std::as_const(world).rows(aircraft_.request);
+  const auto stores = std::as_const(world).rows(aircraft_.stores);
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Request& request = requests[i];
     if (request.dispense != Dispense::none)
       dispense(world, info, i, out);
-    if (!stores[i].pending_track && (request.store == 0 || !request.shoot_at))
-      continue;
-    const Kinematics& own = kinematics[i];
-
-    // a launch that is under way
-    const Track* pending = find(tracks[i], stores[i].pending_track);
-    if (const auto ejection = finish_release(stores[i], pending != nullptr, time)) {
-      out.emit({.kind = EventKind::eject,
-                .aux = ejection->station,
-                .detail = ejection->track.value,
-                .who = ids[i],
-                .whom = pending->truth,
-                .place = own.position,
-                .values = {static_cast<float>(ejection->type), ejection->last ? 1.0F : 0.0F}});
-    }
-
-    // a new one
-    const Track* target = find(tracks[i], request.shoot_at);
-    if (request.store == 0 || request.store > library_->missiles.size() || target == nullptr)
-      continue;
-    const auto type = static_cast<std::uint16_t>(request.store - 1);
-    const MissileType& missile = library_->missiles[type];
-    if (!can_release(stores[i], type, time))
-      continue;
-    if (waits_for_lock(world, aircraft_, *library_, i, time))
-      continue;
-    begin_release(stores[i], type, missile, request.shoot_at, time);
-    const double range = norm(position_at(*target, time) - own.position);
-    out.emit({.kind = EventKind::release,
-              .who = ids[i],
-              .whom = target->truth,
-              .place = own.position,
-              .values = {static_cast<float>(type), static_cast<float>(range)}});
+    if (stores[i].pending_track || (request.store != 0 && request.shoot_at))
+      release(world, info.time(), i, out);
   }
+}
+
+void StoresSystem::release(sim::World& world, double time, std::size_t row,
+                           sim::Outbox& out) const {
+  const Request& request = std::as_const(world).rows(aircraft_.request)[row];
+  const TrackFile& tracks = std::as_const(world).rows(aircraft_.tracks)[row];
+  const Kinematics& own = std::as_const(world).rows(aircraft_.kinematics)[row];
+  const PlayerId id = world.ids(aircraft_.table)[row];
+  Stores& stores = world.rows(aircraft_.stores)[row];
+
+  // a launch that is under way
+  const Track* pending = find(tracks, stores.pending_track);
+  if (const auto ejection = finish_release(stores, pending != nullptr, time)) {
+    out.emit({.kind = EventKind::eject,
+              .aux = ejection->station,
+              .detail = ejection->track.value,
+              .who = id,
+              .whom = pending->truth,
+              .place = own.position,
+              .values = {static_cast<float>(ejection->type), ejection->last ? 1.0F : 0.0F}});
+  }
+
+  // a new one
+  const Track* target = find(tracks, request.shoot_at);
+  if (request.store == 0 || request.store > library_->missiles.size() || target == nullptr)
+    return;
+  const auto type = static_cast<std::uint16_t>(request.store - 1);
+  if (!can_release(stores, type, time) || waits_for_lock(world, aircraft_, *library_, row, time))
+    return;
+  begin_release(stores, type, library_->missiles[type], request.shoot_at, time);
+  const double range = norm(position_at(*target, time) - own.position);
+  out.emit({.kind = EventKind::release,
+            .who = id,
+            .whom = target->truth,
+            .place = own.position,
+            .values = {static_cast<float>(type), static_cast<float>(range)}});
 }
 
 void StoresSystem::dispense(sim::World& world, const sim::StepInfo& info, std::size_t row,

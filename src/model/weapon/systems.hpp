@@ -29,6 +29,7 @@ class StoresSystem final : public sim::System {
               sim::CommitContext&) const override;
 
  private:
+  void release(sim::World& world, double time, std::size_t row, sim::Outbox& out) const;
   void launch(sim::World& world, const sim::StepInfo& info, const sim::Event& eject,
               sim::CommitContext& context) const;
   void dispense(sim::World& world, const sim::StepInfo& info, std::size_t row,
@@ -87,6 +88,8 @@ class GunSystem final : public sim::System {
   void interact(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
 
  private:
+  void use(sim::World& world, const sim::StepInfo& info, std::size_t self, sim::Outbox& out) const;
+
   AircraftColumns aircraft_;
   std::shared_ptr<const Library> library_;
 };
