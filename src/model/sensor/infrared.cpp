@@ -78,6 +78,7 @@ void search_infrared(const Scene& scene, Self& self) {
 
   constexpr std::size_t kMost = 8;
   Nearest<kMost> found(kMost);
+  const auto propulsion = scene.world.rows(scene.aircraft.propulsion);
   for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
     const Kinematics& other = scene.kinematics[j];
     const Vec3 sight = other.position - own.position;
@@ -90,7 +91,7 @@ void search_infrared(const Scene& scene, Self& self) {
       continue;
     const double cos_aspect = -dot(nose_of(other, wind), sight) / range;
     const double intensity = radiant_intensity(scene.library.aircraft[scene.fit[j].type].infrared,
-                                               cos_aspect, scene.propulsion[j].throttle);
+                                               cos_aspect, propulsion[j].throttle);
     if (finds(irst, intensity, range, scene.draw(self.id, Stream::infrared, scene.ids[j]).normal()))
       found.offer({range2, static_cast<std::uint32_t>(j)});
   }

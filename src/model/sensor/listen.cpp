@@ -53,19 +53,20 @@ void listen_for_radars(const Scene& scene, Self& self) {
   const RwrAntenna antenna = aim(rwr, self.kinematics, self.fit.side);
 
   // the most urgent and strongest of what is heard
+  const auto emission = scene.world.rows(scene.aircraft.emission);
   Nearest<kMaxWarnings> heard(kMaxWarnings);
-  for (std::size_t j = 0; j < scene.emission.size(); ++j)
+  for (std::size_t j = 0; j < emission.size(); ++j)
     if (j != self.row)
-      if (const double strength = hear(rwr, antenna, scene.emission[j]); strength > 0)
-        if (const double d = demerit(scene.emission[j], strength);
+      if (const double strength = hear(rwr, antenna, emission[j]); strength > 0)
+        if (const double d = demerit(emission[j], strength);
             heard.wants(d) &&
-            !beyond_horizon(self.kinematics, scene.emission[j], scene.kinematics[j].altitude))
+            !beyond_horizon(self.kinematics, emission[j], scene.kinematics[j].altitude))
           heard.offer({d, static_cast<std::uint32_t>(j)});
 
   for (const Candidate& c : heard.items()) {
     const PlayerId emitter = scene.ids[c.row];
-    const double strength = hear(rwr, antenna, scene.emission[c.row]);
-    const RwrWarning warning = warn(rwr, antenna, self.kinematics, scene.emission[c.row], strength,
+    const double strength = hear(rwr, antenna, emission[c.row]);
+    const RwrWarning warning = warn(rwr, antenna, self.kinematics, emission[c.row], strength,
                                     emitter, scene.time, scene.draw(self.id, Stream::rwr, emitter));
     if (show(self.rwr, warning))
       tell(self, warning);
@@ -73,18 +74,18 @@ void listen_for_radars(const Scene& scene, Self& self) {
 }
 
 void listen_for_seekers(const Scene& scene, Self& self) {
-  if (scene.missile_emission.empty())
-    return;
+  const auto emissions = scene.world.rows(scene.missiles.emission);
+  const auto ids = scene.world.ids(scene.missiles.table);
+  const auto kinematics = scene.world.rows(scene.missiles.kinematics);
   const Rwr& rwr = *self.suite.rwr;
   const RwrAntenna antenna = aim(rwr, self.kinematics, self.fit.side);
   ThreatUpdate threats(self.threats, scene.time);
-  for (std::size_t m = 0; m < scene.missile_emission.size(); ++m) {
-    const Emission& emission = scene.missile_emission[m];
+  for (std::size_t m = 0; m < emissions.size(); ++m) {
+    const Emission& emission = emissions[m];
     const double strength = hear(rwr, antenna, emission);
-    if (strength == 0 ||
-        beyond_horizon(self.kinematics, emission, scene.missile_kinematics[m].altitude))
+    if (strength == 0 || beyond_horizon(self.kinematics, emission, kinematics[m].altitude))
       continue;
-    const PlayerId emitter = scene.missile_ids[m];
+    const PlayerId emitter = ids[m];
     const RwrWarning warning = warn(rwr, antenna, self.kinematics, emission, strength, emitter,
                                     scene.time, scene.draw(self.id, Stream::rwr, emitter));
     show(self.rwr, warning);
@@ -111,12 +112,11 @@ void read_datalink(const Scene& scene, Self& self) {
     start(state, members, self.id, scene.time);
 
   const datalink::Datalink* datalink = self.suite.datalink;
-  const track::TrackContext context = self.context(scene.time);
   for (std::uint32_t i = 0; i < state.count; ++i) {
     datalink::Mate& mate = state.members[i];
     if (i == state.self)
       continue;
-    const auto row = scene.world.row(scene.table, mate.id);
+    const auto row = scene.row(mate.id);
     // without a datalink, here or there, a mate calls on the radio, and one that is gone does not
     if (datalink == nullptr)
       mate.alive = row.has_value();
@@ -128,16 +128,18 @@ void read_datalink(const Scene& scene, Self& self) {
     }
     if (!row || datalink == nullptr)
       continue;
-    if (scene.sent[*row].sent == mate.received)
+    const datalink::DatalinkSent& sent = scene.world.rows(scene.aircraft.sent)[*row];
+    if (sent.sent == mate.received)
       continue;  // nothing since the last look
     const Kinematics& other = scene.kinematics[*row];
     const double reach = std::min(
         datalink->range, horizon_range(self.kinematics.altitude, other.altitude, kRadioEarth));
     const bool in_reach = norm2(other.position - self.kinematics.position) <= reach * reach;
     const datalink::DatalinkMessage* message =
-        datalink::receive(mate, *datalink, scene.sent[*row], in_reach, scene.time,
+        datalink::receive(mate, *datalink, sent, in_reach, scene.time,
                           scene.draw(self.id, Stream::datalink, mate.id));
     if (message != nullptr) {
+      const track::TrackContext context = self.context(scene.time);
       datalink::fuse(self.tracks, context, *message, state, i);
       datalink::recognize_mate(self.tracks, context, mate);
       compare_seekers(scene, self, mate, *message);

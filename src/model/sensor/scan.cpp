@@ -44,8 +44,9 @@ class Jamming {
     if (scene.library.jammers.size() == 0)
       return;
     const Kinematics& own = self.kinematics;
-    for (std::uint32_t j = 0; j < scene.emission.size(); ++j) {
-      const Emission& emission = scene.emission[j];
+    const auto emissions = scene.world.rows(scene.aircraft.emission);
+    for (std::uint32_t j = 0; j < emissions.size(); ++j) {
+      const Emission& emission = emissions[j];
       if (emission.jamming <= 0 || emission.side == self.fit.side || j == self.row)
         continue;
       const Vec3 sight = scene.kinematics[j].position - own.position;
@@ -285,7 +286,7 @@ void track_target(const Scene& scene, Self& self) {
   // the range gate rests on one echo; it is there, or the lock lives on memory for a while
   std::optional<double> signal_to_noise, jam;
   FalseEcho off;
-  const auto row = scene.world.row(scene.table, self.radar.locked);
+  const auto row = scene.row(self.radar.locked);
   if (row) {
     const Vec3 sight = scene.kinematics[*row].position - self.kinematics.position;
     if (within_gimbal(looking.antenna, sight, norm2(sight))) {
@@ -327,41 +328,39 @@ double jamming_of(const SensorSuite& suite, const RwrState& rwr) {
 
 }  // namespace
 
-Emission radiate(const Scene& scene, std::size_t row, const RadarState& state,
-                 const TrackFile& tracks, const RwrState& rwr) {
+void radiate(const Scene& scene, std::size_t row, const RadarState& state, const TrackFile& tracks,
+             const RwrState& rwr, Emission& emission) {
   const SensorSuite& suite = scene.suite(row);
   const Kinematics& own = scene.kinematics[row];
-  Emission emission;
+  emission = {};
   emission.position = own.position;
   emission.boresight = own.north;
   emission.type = suite.radar_index;
   emission.side = scene.fit[row].side;
   emission.jamming = jamming_of(suite, rwr);
   if (suite.radar == nullptr || state.mode == RadarMode::off)
-    return emission;
+    return;
 
   const Radar& radar = *suite.radar;
   emission.figure = emission_figure(radar.reference_range, radar.reference_rcs);
   if (state.mode == RadarMode::search) {
-    const auto [se, ce] = math::sin_cos(state.scan_elevation);
-    const Axes scan = level_axes(own, own.heading + state.scan_azimuth);
+    const auto [up, aside] = math::sin_cos(state.scan_elevation, own.heading + state.scan_azimuth);
     emission.kind = EmissionKind::search;
-    emission.boresight = ce * scan.forward - se * scan.down;
+    emission.boresight = up.cos * from_ned(own, {aside.cos, aside.sin, 0}) - up.sin * own.down;
     emission.cos_half_angle = suite.cos_half_azimuth;
     sweep(radar, own.down, emission);
-    return emission;
+    return;
   }
 
   // the beam rests on the locked echo, or on the track while the echo is looked for
   emission.kind = EmissionKind::track;
-  emission.cos_half_angle = math::cos(radar.beam_width / 2);
-  if (const auto locked = scene.world.row(scene.table, state.locked)) {
+  emission.cos_half_angle = suite.cos_half_beam;
+  if (const auto locked = scene.row(state.locked)) {
     emission.dwell = state.locked;
     emission.boresight = normalized(scene.kinematics[*locked].position - own.position, own.north);
   } else if (const Track* track = find(tracks, state.designated)) {
     emission.boresight = normalized(position_at(*track, scene.time) - own.position, own.north);
   }
-  return emission;
 }
 
 }  // namespace eyrie::model::sensor

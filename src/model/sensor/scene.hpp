@@ -56,33 +56,37 @@ struct SensorSuite {
   const track::Tracker* tracker = nullptr;  ///< always there
   std::uint16_t radar_index = 0;            ///< in the Library: the type of its emissions
   double cos_half_azimuth = 1;              ///< of the radar's scan
+  double cos_half_beam = 1;                 ///< of the radar
   sim::Every scan_steps, track_steps, rwr_steps, seeker_steps;
   sim::Every irst_steps, visual_steps, upkeep_steps, datalink_steps;
   sim::Every any_steps;  ///< divides all of these: nothing is due in between
 };
 
-/// What everybody may read in perceive and act: the truth as the last move left it.
+/// What everybody may read in perceive and act: the truth as the last move left it. Columns that
+/// few ask for are looked up by who does.
 struct Scene {
   const Library& library;
   std::span<const SensorSuite> suites;  ///< by Fit::type
-  TableId table;
+  const AircraftColumns& aircraft;
+  const MissileColumns& missiles;
   const sim::World& world;
   std::span<const PlayerId> ids;
   std::span<const Fit> fit;
   std::span<const Kinematics> kinematics;
-  std::span<const flight::Propulsion> propulsion;
-  std::span<const Emission> emission;
-  std::span<const PlayerId> missile_ids;
-  std::span<const Kinematics> missile_kinematics;
-  std::span<const weapon::MissileState> missile_state;
-  std::span<const Emission> missile_emission;
-  std::span<const datalink::DatalinkSent> sent;
   std::uint64_t step = 0;
   std::uint64_t seed = 0;
   double time = 0;                  ///< s
   const RowBoxes* boxes = nullptr;  ///< of `kinematics`, in perceive
 
   [[nodiscard]] const SensorSuite& suite(std::size_t row) const { return suites[fit[row].type]; }
+  /// Whether some sensor of a row is due.
+  [[nodiscard]] bool senses(std::size_t row) const {
+    return fit[row].remote == 0 && sim::due(step, ids[row], suite(row).any_steps);
+  }
+  /// The row of an aircraft.
+  [[nodiscard]] std::optional<std::uint32_t> row(PlayerId who) const {
+    return world.row(aircraft.table, who);
+  }
   [[nodiscard]] Draw draw(PlayerId who, Stream stream, PlayerId about) const {
     return Draw(seed, who, stream, step, about.value);
   }
@@ -172,8 +176,8 @@ void read_datalink(const Scene& scene, Self& self);
 void perceive_truth(const Scene& scene, Self& self);
 
 /// What the radar and the jammer radiate now; an emission of no kind if the radar is silent.
-[[nodiscard]] Emission radiate(const Scene& scene, std::size_t row, const RadarState& radar,
-                               const TrackFile& tracks, const RwrState& rwr);
+void radiate(const Scene& scene, std::size_t row, const RadarState& radar, const TrackFile& tracks,
+             const RwrState& rwr, Emission& emission);
 
 /// Tells that a missile was perceived for the first time.
 void tell_missile(const Self& self, const Sighting& sighting);

@@ -45,6 +45,7 @@ SensorSuite suite_of(const Library& library, const AircraftType& type, double dt
   if (suite.radar != nullptr) {
     suite.radar_index = *index.radar;
     suite.cos_half_azimuth = math::cos(suite.radar->scan_half_azimuth);
+    suite.cos_half_beam = math::cos(suite.radar->beam_width / 2);
     suite.scan_steps = steps(suite.radar->scan_rate);
     suite.track_steps = steps(suite.radar->track_rate);
   }
@@ -86,33 +87,31 @@ void publish(const Self& self) {
   }
 }
 
-void use_radar(const Scene& scene, Self& self, bool upkeep_due) {
-  if (upkeep_due)
-    steer_radar(scene, self);
-  if (self.fit.privileged != 0)
-    return;
-  const RadarMode mode = self.radar.mode;
-  if (mode == RadarMode::search && due(scene.step, self.id, self.suite.scan_steps))
-    scan(scene, self);
-  else if (mode == RadarMode::track && due(scene.step, self.id, self.suite.track_steps))
-    track_target(scene, self);
-}
-
 void perceive_one(const Scene& scene, Self& self) {
   const SensorSuite& suite = self.suite;
-  const bool upkeep_due = due(scene.step, self.id, suite.upkeep_steps);
+  const auto is_due = [step = scene.step, id = self.id](const sim::Every& period) {
+    return due(step, id, period);
+  };
+  const bool upkeep_due = is_due(suite.upkeep_steps);
   const bool privileged = self.fit.privileged != 0;
 
   // what comes in
-  if (suite.radar != nullptr)
-    use_radar(scene, self, upkeep_due);
-  if (suite.irst != nullptr && !privileged && due(scene.step, self.id, suite.irst_steps))
+  if (suite.radar != nullptr && upkeep_due)
+    steer_radar(scene, self);
+  if (suite.radar != nullptr && !privileged) {
+    if (self.radar.mode == RadarMode::search && is_due(suite.scan_steps))
+      scan(scene, self);
+    else if (self.radar.mode == RadarMode::track && is_due(suite.track_steps))
+      track_target(scene, self);
+  }
+  if (suite.irst != nullptr && !privileged && is_due(suite.irst_steps))
     search_infrared(scene, self);
-  if (suite.visual != nullptr && !privileged && due(scene.step, self.id, suite.visual_steps))
+  if (suite.visual != nullptr && !privileged && is_due(suite.visual_steps))
     look_around(scene, self);
-  if (suite.rwr != nullptr && due(scene.step, self.id, suite.rwr_steps))
+  if (suite.rwr != nullptr && is_due(suite.rwr_steps))
     listen_for_radars(scene, self);
-  if (suite.rwr != nullptr && due(scene.step, self.id, suite.seeker_steps))
+  if (suite.rwr != nullptr && is_due(suite.seeker_steps) &&
+      scene.world.rows(scene.missiles.table) != 0)
     listen_for_seekers(scene, self);
 
   // what is made of it
@@ -130,22 +129,28 @@ void perceive_one(const Scene& scene, Self& self) {
     forget(self.rwr, *suite.rwr, scene.time);
 }
 
-/// The rows of which some sensor is due.
-struct Due {
-  std::span<const PlayerId> ids;
-  std::span<const Fit> fit;
-  std::span<const SensorSuite> suites;
-  std::uint64_t step;
-  std::size_t end;
-
-  /// The first from this row on, or the end.
-  [[nodiscard]] std::size_t from(std::size_t row) const {
-    while (row < end &&
-           (fit[row].remote != 0 || !due(step, ids[row], suites[fit[row].type].any_steps)))
-      ++row;
-    return row;
-  }
-};
+/// What the aircraft in a row tells its flight now.
+void report(const Scene& scene, std::size_t row, datalink::DatalinkSent& sent) {
+  const auto own = [&](auto column) -> const auto& {
+    return scene.world.rows(column)[row];
+  };
+  std::array<TrackId, kToldShots> shots;
+  std::size_t count = 0;
+  for (const weapon::MissileState& missile : scene.world.rows(scene.missiles.state))
+    if (missile.shooter == scene.ids[row] && count < kToldShots)
+      shots[count++] = missile.track;
+  std::array<datalink::SharedSeeker, datalink::kSharedSeekers> seekers;
+  const std::size_t heard = share(own(scene.aircraft.rwr), scene.time, seekers);
+  datalink::transmit(sent,
+                     {.time = scene.time,
+                      .position = scene.kinematics[row].position,
+                      .velocity = scene.kinematics[row].velocity,
+                      .fuel = own(scene.aircraft.propulsion).fuel,
+                      .target = own(scene.aircraft.request).target,
+                      .shot_at = std::span(shots).first(count),
+                      .seekers = std::span(seekers).first(heard)},
+                     own(scene.aircraft.tracks), *scene.suite(row).tracker);
+}
 
 }  // namespace
 
@@ -157,35 +162,43 @@ SensorSystem::SensorSystem(const AircraftColumns& aircraft, const MissileColumns
     EYRIE_THROW_UNLESS(flight.members.size() <= kMaxFlight, "more members than a datalink carries");
   for (std::size_t i = 0; i < library_->aircraft.size(); ++i)
     suites_.push_back(suite_of(*library_, library_->aircraft[i], dt));
+  std::uint32_t any = 0;
+  for (const SensorSuite& suite : suites_)
+    any = std::gcd(any, suite.any_steps.steps());
+  any_steps_ = sim::Every(std::max(any, 1u));
 }
 
 Scene SensorSystem::scene(const sim::World& world, const sim::StepInfo& info) const {
   return {.library = *library_,
           .suites = suites_,
-          .table = aircraft_.table,
+          .aircraft = aircraft_,
+          .missiles = missiles_,
           .world = world,
           .ids = world.ids(aircraft_.table),
           .fit = world.rows(aircraft_.fit),
           .kinematics = world.rows(aircraft_.kinematics),
-          .propulsion = world.rows(aircraft_.propulsion),
-          .emission = world.rows(aircraft_.emission),
-          .missile_ids = world.ids(missiles_.table),
-          .missile_kinematics = world.rows(missiles_.kinematics),
-          .missile_state = world.rows(missiles_.state),
-          .missile_emission = world.rows(missiles_.emission),
-          .sent = world.rows(aircraft_.sent),
           .step = info.step,
           .seed = info.seed,
           .time = info.time()};
 }
 
+inline std::size_t SensorSystem::first_due(const sim::World& world, std::uint64_t step,
+                                           sim::Chunk chunk) const {
+  const auto ids = world.ids(aircraft_.table);
+  std::size_t row = chunk.begin;
+  while (row < chunk.end && !due(step, ids[row], any_steps_))
+    ++row;
+  return row;
+}
+
 void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                             sim::Outbox& out) const {
-  const Due due_rows{world.ids(aircraft_.table), world.rows(aircraft_.fit), suites_, info.step,
-                     chunk.end};
-  const std::size_t first = due_rows.from(chunk.begin);
-  if (first == chunk.end)
-    return;
+  if (const std::size_t row = first_due(world, info.step, chunk); row < chunk.end)
+    perceive_due(world, info, {row, chunk.end}, out);
+}
+
+void SensorSystem::perceive_due(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                                sim::Outbox& out) const {
   Scene all = scene(world, info);
   const RowBoxes boxes(all.kinematics);
   all.boxes = &boxes;
@@ -197,7 +210,9 @@ void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::C
   const auto datalink = world.rows(aircraft_.datalink);
   track::TrackNewsList news;
 
-  for (std::size_t i = first; i < chunk.end; i = due_rows.from(i + 1)) {
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    if (!all.senses(i))
+      continue;
     news.clear();
     Self self{.row = i,
               .id = all.ids[i],
@@ -219,44 +234,22 @@ void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::C
 
 void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                        sim::Outbox&) const {
-  const Due due_rows{world.ids(aircraft_.table), world.rows(aircraft_.fit), suites_, info.step,
-                     chunk.end};
-  const std::size_t first = due_rows.from(chunk.begin);
-  if (first == chunk.end)
-    return;
+  if (const std::size_t row = first_due(world, info.step, chunk); row < chunk.end)
+    act_due(world, info, {row, chunk.end});
+}
+
+void SensorSystem::act_due(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const {
   const Scene all = scene(world, info);
-  const auto request = std::as_const(world).rows(aircraft_.request);
-  const auto radar = std::as_const(world).rows(aircraft_.radar);
-  const auto tracks = std::as_const(world).rows(aircraft_.tracks);
-  const auto rwr = std::as_const(world).rows(aircraft_.rwr);
-  const auto propulsion = std::as_const(world).rows(aircraft_.propulsion);
-  const auto emission = world.rows(aircraft_.emission);
-  const auto sent = world.rows(aircraft_.sent);
-
-  for (std::size_t i = first; i < chunk.end; i = due_rows.from(i + 1)) {
-    const PlayerId id = all.ids[i];
-    const SensorSuite& suite = all.suite(i);
-    if (due(all.step, id, suite.upkeep_steps))
-      emission[i] = radiate(all, i, radar[i], tracks[i], rwr[i]);
-
-    if (suite.datalink == nullptr || !due(all.step, id, suite.datalink_steps))
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    if (!all.senses(i))
       continue;
-    std::array<TrackId, kToldShots> shots;
-    std::size_t count = 0;
-    for (const weapon::MissileState& missile : all.missile_state)
-      if (missile.shooter == id && count < kToldShots)
-        shots[count++] = missile.track;
-    std::array<datalink::SharedSeeker, datalink::kSharedSeekers> seekers;
-    const std::size_t heard = share(rwr[i], all.time, seekers);
-    datalink::transmit(sent[i],
-                       {.time = all.time,
-                        .position = all.kinematics[i].position,
-                        .velocity = all.kinematics[i].velocity,
-                        .fuel = propulsion[i].fuel,
-                        .target = request[i].target,
-                        .shot_at = std::span(shots).first(count),
-                        .seekers = std::span(seekers).first(heard)},
-                       tracks[i], *suite.tracker);
+    const SensorSuite& suite = all.suite(i);
+    if (due(info.step, all.ids[i], suite.upkeep_steps))
+      radiate(all, i, std::as_const(world).rows(aircraft_.radar)[i],
+              std::as_const(world).rows(aircraft_.tracks)[i],
+              std::as_const(world).rows(aircraft_.rwr)[i], world.rows(aircraft_.emission)[i]);
+    if (suite.datalink != nullptr && due(info.step, all.ids[i], suite.datalink_steps))
+      report(all, i, world.rows(aircraft_.sent)[i]);
   }
 }
 

@@ -24,12 +24,18 @@ class SensorSystem final : public sim::System {
   void act(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
 
  private:
+  /// The first of these rows of which a sensor may be due, or the end.
+  [[nodiscard]] std::size_t first_due(const sim::World& world, std::uint64_t step,
+                                      sim::Chunk chunk) const;
+  void perceive_due(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const;
+  void act_due(sim::World&, const sim::StepInfo&, sim::Chunk) const;
   [[nodiscard]] Scene scene(const sim::World& world, const sim::StepInfo& info) const;
 
   AircraftColumns aircraft_;
   MissileColumns missiles_;
   std::shared_ptr<const Library> library_;
   std::vector<SensorSuite> suites_;  ///< by Fit::type
+  sim::Every any_steps_;             ///< divides those of all suites
 };
 
 }  // namespace eyrie::model::sensor

@@ -74,16 +74,20 @@ void know_aircraft(const Scene& scene, Self& self) {
 
 /// The missiles that were launched at the own aircraft or whose seeker rests on it.
 void know_missiles(const Scene& scene, Self& self) {
+  const auto ids = scene.world.ids(scene.missiles.table);
+  const auto kinematics = scene.world.rows(scene.missiles.kinematics);
+  const auto state = scene.world.rows(scene.missiles.state);
+  const auto emission = scene.world.rows(scene.missiles.emission);
   Nearest<kMaxThreats> nearest(kMaxThreats);
-  for (std::size_t m = 0; m < scene.missile_ids.size(); ++m)
-    if (scene.missile_state[m].intended == self.id || scene.missile_emission[m].dwell == self.id)
-      nearest.offer({norm2(scene.missile_kinematics[m].position - self.kinematics.position),
+  for (std::size_t m = 0; m < ids.size(); ++m)
+    if (state[m].intended == self.id || emission[m].dwell == self.id)
+      nearest.offer({norm2(kinematics[m].position - self.kinematics.position),
                      static_cast<std::uint32_t>(m)});
 
   const Threats before = self.threats;
   self.threats = {};
   for (const Candidate& c : nearest.items()) {
-    const Kinematics& missile = scene.missile_kinematics[c.row];
+    const Kinematics& missile = kinematics[c.row];
     const Vec3 sight = missile.position - self.kinematics.position;
     const Bearing bearing = bearing_of(self.kinematics, normalized(sight, self.kinematics.north));
     InboundMissile inbound{.bearing = bearing.azimuth,
@@ -92,7 +96,7 @@ void know_missiles(const Scene& scene, Self& self) {
                            .time = scene.time,
                            .first_time = scene.time,
                            .position_time = scene.time,
-                           .truth = scene.missile_ids[c.row],
+                           .truth = ids[c.row],
                            .has_position = 1,
                            .sources = kThreatFromTruth};
     const double opening = dot(sight, missile.velocity - self.kinematics.velocity);
@@ -114,7 +118,7 @@ void know_flight(const Scene& scene, Self& self) {
   datalink::DatalinkState& state = self.datalink;
   for (std::uint32_t i = 0; i < state.count; ++i) {
     datalink::Mate& mate = state.members[i];
-    const auto row = scene.world.row(scene.table, mate.id);
+    const auto row = scene.row(mate.id);
     mate.alive = row.has_value();
     if (!row)
       continue;

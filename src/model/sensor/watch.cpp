@@ -114,10 +114,13 @@ void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
 void look_for_missiles(const Scene& scene, Self& self, const Eyes& eyes,
                        const KnownDirections& known) {
   const Visual& visual = *self.suite.visual;
+  const auto ids = scene.world.ids(scene.missiles.table);
+  const auto kinematics = scene.world.rows(scene.missiles.kinematics);
+  const auto states = scene.world.rows(scene.missiles.state);
   ThreatUpdate threats(self.threats, scene.time);
-  for (std::size_t m = 0; m < scene.missile_ids.size(); ++m) {
-    const weapon::MissileState& state = scene.missile_state[m];
-    const Kinematics& missile = scene.missile_kinematics[m];
+  for (std::size_t m = 0; m < ids.size(); ++m) {
+    const weapon::MissileState& state = states[m];
+    const Kinematics& missile = kinematics[m];
     const Vec3 sight = missile.position - eyes.position;
     const double range = norm(sight);
     // shots of the own side are called on the radio
@@ -133,7 +136,7 @@ void look_for_missiles(const Scene& scene, Self& self, const Eyes& eyes,
     const double search = cue == Cue::none ? visual.search : visual.cued_search;
     const double p = cue == Cue::held ? hold_probability(visual, area, range)
                                       : acquisition_probability(visual, search, area, range);
-    const PlayerId id = scene.missile_ids[m];
+    const PlayerId id = ids[m];
     if (!scene.draw(self.id, Stream::visual, id).chance(p) ||
         !looks_dangerous(visual, sight, missile.velocity - eyes.velocity))
       continue;
@@ -172,7 +175,7 @@ void look_around(const Scene& scene, Self& self) {
   for (std::uint32_t i = 0; i < self.threats.count; ++i)
     known.add(self.threats.missiles[i], self.kinematics, scene.time);
   look_for_aircraft(scene, self, eyes, known);
-  if (!scene.missile_ids.empty())
+  if (scene.world.rows(scene.missiles.table) != 0)
     look_for_missiles(scene, self, eyes, known);
 }
 
