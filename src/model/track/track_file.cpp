@@ -146,6 +146,8 @@ bool far_apart(const Place& a, const Place& b, double gate) {
 
 /// Needs sigmas of now.
 void merge_duplicates(TrackFile& file, const TrackContext& context, Interval& ahead) {
+  if (file.count < 2)
+    return;
   std::array<Place, kMaxTracks> places;
   for (std::size_t i = 0; i < file.count; ++i)
     places[i] = place_of(file.tracks[i], context.time);
