@@ -46,16 +46,20 @@ double Detector::probability(double signal_to_noise) const {
   return math::exp(log_false_alarm_ / (1 + signal_to_noise));
 }
 
+Gimbal gimbal_of(const Radar& radar, const Kinematics& own) {
+  const auto [heading, pitch] = math::sin_cos(own.heading, own.pitch);
+  return {.nose = pitch.cos * heading.cos * own.north + pitch.cos * heading.sin * own.east -
+                  pitch.sin * own.down,
+          .max_range2 = radar.instrumented_range * radar.instrumented_range,
+          .cos_gimbal = math::cos(radar.gimbal)};
+}
+
 Antenna aim(const Radar& radar, const RadarState& state, const Kinematics& own) {
-  const auto [sh, ch] = math::sin_cos(own.heading);
-  const auto [sp, cp] = math::sin_cos(own.pitch);
   const double half_elevation = radar.scan_bars * radar.bar_spacing / 2;
   const auto [sin_half, cos_half] = math::sin_cos(radar.scan_half_azimuth);
-  return {.position = own.position,
-          .nose = cp * ch * own.north + cp * sh * own.east - sp * own.down,
+  return {.gimbal = gimbal_of(radar, own),
+          .position = own.position,
           .scan = level_axes(own, own.heading + state.scan_azimuth),
-          .max_range2 = radar.instrumented_range * radar.instrumented_range,
-          .cos_gimbal = math::cos(radar.gimbal),
           .tan_half_azimuth = sin_half / cos_half,
           .sin_low = math::sin(std::max(state.scan_elevation - half_elevation, -kPi / 2)),
           .sin_high = math::sin(std::min(state.scan_elevation + half_elevation, kPi / 2))};

@@ -129,7 +129,7 @@ struct Radar {
 };
 
 /// The detection statistics of one radar: the range equation anchored at its reference point, and
-/// the chance to detect a Swerling 1 target in one look. Made once per frame.
+/// the chance to detect a Swerling 1 target in one look.
 class Detector {
  public:
   explicit Detector(const Radar& radar);
@@ -156,13 +156,19 @@ class Detector {
   double scale_;
 };
 
-/// Where the antenna looks now, in the local frame.
-struct Antenna {
-  Vec3 position{};        ///< m
-  Vec3 nose{};            ///< unit vector, middle of the gimbal
-  Axes scan;              ///< level axes, forward to the middle of the scan
+/// Where the antenna can look now, in the local frame.
+struct Gimbal {
+  Vec3 nose{};            ///< unit vector, its middle
   double max_range2 = 0;  ///< m^2
   double cos_gimbal = 1;
+};
+[[nodiscard]] Gimbal gimbal_of(const Radar& radar, const Kinematics& own);
+
+/// Where the antenna looks in a search, in the local frame.
+struct Antenna {
+  Gimbal gimbal;
+  Vec3 position{};  ///< m
+  Axes scan;        ///< level axes, forward to the middle of the scan
   double tan_half_azimuth = 0;
   double sin_low = 0, sin_high = 0;  ///< sines of the lowest and highest elevation
 };
@@ -176,8 +182,9 @@ void sweep(const Radar& radar, const Vec3& down, Emission& emission);
 
 /// Whether a line of sight (m, from the antenna) lies in range, inside the gimbal and in the scan.
 [[nodiscard]] inline bool covers(const Antenna& a, const Vec3& sight, double range2) {
-  const double along = dot(sight, a.nose);
-  if (range2 > a.max_range2 || along < 0 || along * along < a.cos_gimbal * a.cos_gimbal * range2)
+  const Gimbal& g = a.gimbal;
+  const double along = dot(sight, g.nose);
+  if (range2 > g.max_range2 || along < 0 || along * along < g.cos_gimbal * g.cos_gimbal * range2)
     return false;
   const double ahead = dot(sight, a.scan.forward);
   if (ahead <= 0 || std::fabs(dot(sight, a.scan.right)) > a.tan_half_azimuth * ahead)
@@ -187,10 +194,10 @@ void sweep(const Radar& radar, const Vec3& down, Emission& emission);
 }
 
 /// Whether the gimbal lets the antenna point along `sight` at all; track mode needs no more.
-[[nodiscard]] inline bool within_gimbal(const Antenna& a, const Vec3& sight, double range2) {
-  const double along = dot(sight, a.nose);
-  return range2 <= a.max_range2 && along > 0 &&
-         along * along >= a.cos_gimbal * a.cos_gimbal * range2;
+[[nodiscard]] inline bool within_gimbal(const Gimbal& g, const Vec3& sight, double range2) {
+  const double along = dot(sight, g.nose);
+  return range2 <= g.max_range2 && along > 0 &&
+         along * along >= g.cos_gimbal * g.cos_gimbal * range2;
 }
 
 /// Mean S/N of `other` in one look if the beam passes it: range, aspect, horizon and notch. `wind`

@@ -253,7 +253,7 @@ TEST(Aim, IsStabilisedButLimitedByTheGimbal) {
   // nose up 61 degrees: the horizon is out of reach
   const Antenna steep = aim(radar, {}, flying({}, 0, 250, radians(61)));
   EXPECT_FALSE(covers(steep, level, norm2(level)));
-  EXPECT_FALSE(within_gimbal(steep, level, norm2(level)));
+  EXPECT_FALSE(within_gimbal(steep.gimbal, level, norm2(level)));
   // nose up 20: straight ahead is fine, the corner is beyond the cone
   const Antenna nose_up = aim(radar, {}, flying({}, 0, 250, radians(20)));
   EXPECT_TRUE(covers(nose_up, level, norm2(level)));

@@ -92,13 +92,11 @@ class Jamming {
 
 /// What one look needs to know.
 struct Looking {
-  Antenna antenna;
-  Detector detector;
+  const Detector& detector;
   Jamming jamming;
   const Wind& wind;
   Looking(const Scene& scene, const Self& self)
-      : antenna(aim(*self.suite.radar, self.radar, self.kinematics)),
-        detector(*self.suite.radar),
+      : detector(*self.suite.detector),
         jamming(scene, self),
         wind(scene.library.environment.wind) {}
 };
@@ -129,8 +127,7 @@ std::optional<double> detected(const Scene& scene, const Self& self, const Looki
 
 /// The echo nearest to where the designated track is believed to be, among what is detected in one
 /// beam width around it.
-void acquire(const Scene& scene, Self& self, const Looking& looking) {
-  const Antenna& antenna = looking.antenna;
+void acquire(const Scene& scene, Self& self, const Looking& looking, const Gimbal& gimbal) {
   const Track* track = find(self.tracks, self.radar.designated);
   if (track == nullptr)
     return;
@@ -138,7 +135,7 @@ void acquire(const Scene& scene, Self& self, const Looking& looking) {
   const double range = norm(expected), sigma = static_cast<double>(track->position_sigma);
   const double half_width = range * self.suite.radar->beam_width + 2 * sigma;
   const double half_depth = kRangeGate + 2 * sigma;
-  const Vec3 unit = normalized(expected, antenna.nose);
+  const Vec3 unit = normalized(expected, gimbal.nose);
 
   Nearest<1> best(1);
   for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
@@ -147,7 +144,7 @@ void acquire(const Scene& scene, Self& self, const Looking& looking) {
     const double along = dot(off, unit), distance2 = norm2(off);
     if (j == self.row || std::fabs(along) > half_depth ||
         distance2 - along * along > half_width * half_width || !best.wants(distance2) ||
-        !within_gimbal(antenna, sight, norm2(sight)) || !detected(scene, self, looking, j))
+        !within_gimbal(gimbal, sight, norm2(sight)) || !detected(scene, self, looking, j))
       continue;
     best.offer({distance2, static_cast<std::uint32_t>(j)});
   }
@@ -244,7 +241,7 @@ void steer_radar(const Scene& scene, Self& self) {
 void scan(const Scene& scene, Self& self) {
   const Radar& radar = *self.suite.radar;
   const Looking looking(scene, self);
-  const Antenna& antenna = looking.antenna;
+  const Antenna antenna = aim(radar, self.radar, self.kinematics);
 
   // the nearest detections in the scan volume
   Nearest<track::kMaxContacts> found(radar.max_contacts);
@@ -280,8 +277,9 @@ void scan(const Scene& scene, Self& self) {
 void track_target(const Scene& scene, Self& self) {
   const Radar& radar = *self.suite.radar;
   const Looking looking(scene, self);
+  const Gimbal gimbal = gimbal_of(radar, self.kinematics);
   if (!self.radar.locked)
-    acquire(scene, self, looking);
+    acquire(scene, self, looking, gimbal);
 
   // the range gate rests on one echo; it is there, or the lock lives on memory for a while
   std::optional<double> signal_to_noise, jam;
@@ -289,7 +287,7 @@ void track_target(const Scene& scene, Self& self) {
   const auto row = scene.row(self.radar.locked);
   if (row) {
     const Vec3 sight = scene.kinematics[*row].position - self.kinematics.position;
-    if (within_gimbal(looking.antenna, sight, norm2(sight))) {
+    if (within_gimbal(gimbal, sight, norm2(sight))) {
       signal_to_noise = in_gates(scene, self, looking, *row, off);
       jam = looking.jamming.strobe_of(*row);
     }

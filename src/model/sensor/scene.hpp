@@ -54,6 +54,7 @@ struct SensorSuite {
   const datalink::Datalink* datalink = nullptr;
   const Jammer* jammer = nullptr;
   const track::Tracker* tracker = nullptr;  ///< always there
+  std::optional<Detector> detector;         ///< of the radar
   std::uint16_t radar_index = 0;            ///< in the Library: the type of its emissions
   double cos_half_azimuth = 1;              ///< of the radar's scan
   double cos_half_beam = 1;                 ///< of the radar

@@ -44,6 +44,7 @@ SensorSuite suite_of(const Library& library, const AircraftType& type, double dt
   };
   if (suite.radar != nullptr) {
     suite.radar_index = *index.radar;
+    suite.detector.emplace(*suite.radar);
     suite.cos_half_azimuth = math::cos(suite.radar->scan_half_azimuth);
     suite.cos_half_beam = math::cos(suite.radar->beam_width / 2);
     suite.scan_steps = steps(suite.radar->scan_rate);
