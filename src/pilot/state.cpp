@@ -59,7 +59,7 @@ State::State(const Cockpit& cockpit, const model::Library& models, const model::
   contested = choice.contested;
 }
 
-const Seen* State::find(TrackId id) const {
+const Seen* State::find_named(TrackId id) const {
   for (const Seen& one : tracks_seen())
     if (one.track->named(id))
       return &one;

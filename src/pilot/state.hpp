@@ -97,7 +97,8 @@ struct State : Cockpit {
   [[nodiscard]] const Seen* target() const {
     return target_index < 0 ? nullptr : &seen[static_cast<std::size_t>(target_index)];
   }
-  [[nodiscard]] const Seen* find(TrackId id) const;
+  /// The track of that name, or the one with which it was merged; null if it is lost, or no name.
+  [[nodiscard]] const Seen* find(TrackId id) const { return id ? find_named(id) : nullptr; }
   [[nodiscard]] bool leads() const { return rank == 1; }
   /// The member believed to lead; null if the datalink has not come up.
   [[nodiscard]] const model::Mate* lead() const { return model::datalink::lead(datalink); }
@@ -149,6 +150,7 @@ struct State : Cockpit {
   [[nodiscard]] double altitude_for(double climb_angle) const;
 
  private:
+  [[nodiscard]] const Seen* find_named(TrackId id) const;
   [[nodiscard]] Vec3 through_air(const Vec3& velocity) const;
   [[nodiscard]] model::weapon::LaunchParty party(const Seen& one) const;
 
