@@ -111,9 +111,7 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
   for (std::size_t i = 0; i < lanes; ++i)
     lanes_.push_back(std::make_unique<Lane>(*scenario_, at_once));
   executor_ = std::make_unique<Executor>(options_.workers);
-  begin_all();
-  for (std::size_t env = 0; env < options_.envs; ++env)
-    tell_fault(env);
+  reset(options_.seed);
   hash_ = hash_of_task();
 }
 

@@ -21,8 +21,9 @@ struct VectorEnv::Slot {
   struct Agent {
     bool alive = true, was_alive = true;
     Merit merit;
-    std::uint32_t rounds = 0;  ///< in the drum
-    std::vector<float> votes;  ///< as ordered last; negative: none was
+    std::uint32_t rounds = 0;      ///< in the drum
+    std::vector<float> votes;      ///< as ordered last; negative: none was
+    pilot::Controls::Start start;  ///< of the controls, in what was observed last
   };
 
   /// `room`: for the orders of the longest episode; 0: none is kept.

@@ -74,20 +74,16 @@ void VectorEnv::end(Slot& slot) const {
 
 void VectorEnv::reset(std::uint64_t seed) {
   options_.seed = seed;
-  begin_all();
-  for (std::size_t env = 0; env < shape_.envs; ++env) {
-    show(env);
-    tell_fault(env);
-  }
-}
-
-void VectorEnv::begin_all() {
   each_run([&](Lane& lane, std::size_t env, std::size_t next) {
     for (; env < next; ++env) {
       slots_[env].episodes = 0;
       begin(slots_[env], next_seed(env), lane);
     }
   });
+  for (std::size_t env = 0; env < shape_.envs; ++env) {
+    show(env);
+    tell_fault(env);
+  }
 }
 
 void VectorEnv::reset_one(std::size_t env, std::uint64_t seed) {
@@ -134,10 +130,9 @@ void VectorEnv::command(Slot& slot, std::size_t agent, const float* action,
   const Learner& learner = learners_[agent];
   const std::uint64_t step = slot.world.step();
   if (!task_.votes) {
-    perceive(*scenario_, slot.world, learner.id, [&](const pilot::State& state) {
-      orders.push_back(sim::order_for(step, learner.id, pilot::OrderKind::manual,
-                                      controls_.apply(state, {action, shape_.action})));
-    });
+    const pilot::Controls::Start& start = slot.agents[agent].start;
+    orders.push_back(sim::order_for(step, learner.id, pilot::OrderKind::manual,
+                                    controls_.apply(start, {action, shape_.action})));
     return;
   }
   for (std::size_t i = 0; i < shape_.action; ++i) {
@@ -262,7 +257,7 @@ void VectorEnv::judge(Slot& slot, std::size_t env, Lane& lane) {
 
 void VectorEnv::show_now(std::size_t env) {
   Results& out = *results_;
-  const Slot& slot = slots_[env];
+  Slot& slot = slots_[env];
   for (std::size_t agent = 0; agent < shape_.agents; ++agent) {
     const std::size_t at = env * shape_.agents + agent;
     out.alive[at] = slot.agents[agent].alive ? 1 : 0;
@@ -285,14 +280,16 @@ void VectorEnv::show(std::size_t env) {
   show_now(env);
 }
 
-void VectorEnv::observe(const Slot& slot, std::size_t agent, float* observation,
+void VectorEnv::observe(Slot& slot, std::size_t agent, float* observation,
                         std::uint8_t* mask) const {
   const bool there =
       slot.agents[agent].alive &&
       perceive(*scenario_, slot.world, learners_[agent].id, [&](const pilot::State& state) {
         observation_.write(state, observation);
-        if (!task_.votes)
-          controls_.mask(state, mask);
+        if (task_.votes)
+          return;
+        slot.agents[agent].start = controls_.start(state);
+        controls_.mask(slot.agents[agent].start, mask);
       });
   if (!there)
     std::fill_n(observation, shape_.observation, 0.0F);

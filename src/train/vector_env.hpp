@@ -130,7 +130,6 @@ class VectorEnv {
   /// Begins an episode and flies until everybody has perceived something and it is the learner's
   /// turn.
   void begin(Slot& slot, std::uint64_t seed, Lane& lane) const;
-  void begin_all();
   /// Left in the drum of a learner; nothing once he is gone.
   [[nodiscard]] std::optional<std::uint32_t> rounds_of(const sim::World& world,
                                                        std::size_t agent) const;
@@ -149,7 +148,7 @@ class VectorEnv {
   void each_run(Use use);
   void show(std::size_t env);
   void show_now(std::size_t env);
-  void observe(const Slot& slot, std::size_t agent, float* observation, std::uint8_t* mask) const;
+  void observe(Slot& slot, std::size_t agent, float* observation, std::uint8_t* mask) const;
 
   TaskSpec task_;
   Options options_;

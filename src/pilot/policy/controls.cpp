@@ -14,18 +14,19 @@ constexpr std::uint16_t kTrigger = 1U << 9, kRelease = 1U << 10, kChaff = 1U << 
                         kFlares = 1U << 12;
 constexpr std::uint16_t kVertical = Manual::kClimb | Manual::kAltitude;
 
-constexpr bool always(const State&) {
-  return true;
+constexpr double nowhere(const State&) {
+  return 0;
 }
 template <Dispense what>
-bool dispenses(const State& s) {
+double dispenses(const State& s) {
   return (what != Dispense::flares && s.decoys.chaff > 0) ||
          (what != Dispense::chaff && s.decoys.flares > 0);
 }
-/// The missile that a release would take; nothing if none would reach.
-std::optional<std::uint16_t> store_to_release(const State& s) {
+/// 1 and the index of the missile that a release would take; 0 if none would reach.
+double store_to_release(const State& s) {
   const Seen* target = s.target();
-  return target && target->hostile() ? s.own_reach(*target).store : std::nullopt;
+  const auto store = target && target->hostile() ? s.own_reach(*target).store : std::nullopt;
+  return store ? *store + 1 : 0;
 }
 /// Unit vector, north-east-down: to the target, and inside the gun's reach to where its rounds
 /// would meet him; between one and two reaches from the one to the other. Without a target as one
@@ -43,7 +44,7 @@ Vec3 aim_of(const State& s) {
   return normalized(sight + near * (gun->aim - sight), sight);
 }
 /// As shoot_gun with its defaults would fire.
-bool gun_bears(const State& s) {
+double gun_bears(const State& s) {
   const Seen* target = s.target();
   return target && target->hostile() && in_gun(s) &&
          !friend_in_line(s, {.direction = s.gun_sight(*target)->aim,
@@ -51,7 +52,7 @@ bool gun_bears(const State& s) {
                              .half_angle = radians(3)});
 }
 template <Dispense what>
-void dispense(const State&, double on, Manual& m) {
+void dispense(double, double on, Manual& m) {
   if (on > 0) {
     m.dispense =
         static_cast<Dispense>(static_cast<unsigned>(m.dispense) | static_cast<unsigned>(what));
@@ -65,88 +66,78 @@ void say(Manual& m, Manual::Field field, float Manual::*member, double value) {
 
 constexpr double kSteepest = radians(90);
 
+void turn_to(double from, double x, Manual& m) {
+  say(m, Manual::kHeading, &Manual::heading, wrap_pi(from + x));
+}
+void climb_by(double from, double x, Manual& m) {
+  say(m, Manual::kClimb, &Manual::climb, std::clamp(from + x, -kSteepest, kSteepest));
+}
+void climb_to(double from, double x, Manual& m) {
+  say(m, Manual::kAltitude, &Manual::altitude, from + x);
+}
+
 constexpr std::array kTypes = std::to_array<ControlType>({
     {"turn", "heading to fly, from the own one, positive right", Manual::kHeading,
-     [](const State& s, double x, Manual& m) {
-       say(m, Manual::kHeading, &Manual::heading, wrap_pi(s.own.heading + x));
-     },
-     always, "rad", -kPi, kPi},
-    {"heading", "true heading to fly", Manual::kHeading,
-     [](const State&, double x, Manual& m) { say(m, Manual::kHeading, &Manual::heading, x); },
-     always, "rad", -kPi, kPi},
+     [](const State& s) { return s.own.heading; }, turn_to, "rad", -kPi, kPi},
+    {"heading", "true heading to fly", Manual::kHeading, nowhere,
+     [](double, double x, Manual& m) { say(m, Manual::kHeading, &Manual::heading, x); }, "rad",
+     -kPi, kPi},
     {"climb", "direction to fly to above the horizon, whichever way up, as the mode aim", kVertical,
-     [](const State&, double x, Manual& m) { say(m, Manual::kClimb, &Manual::climb, x); }, always,
-     "rad", -kSteepest, kSteepest},
+     nowhere, [](double, double x, Manual& m) { say(m, Manual::kClimb, &Manual::climb, x); }, "rad",
+     -kSteepest, kSteepest},
     {"pull", "the same from the own direction of flight, positive up", kVertical,
-     [](const State& s, double x, Manual& m) {
-       say(m, Manual::kClimb, &Manual::climb, std::clamp(s.own.pitch + x, -kSteepest, kSteepest));
-     },
-     always, "rad", -kSteepest, kSteepest},
+     [](const State& s) { return s.own.pitch; }, climb_by, "rad", -kSteepest, kSteepest},
     {"aim_right",
      "heading to fly, from that of the line to the target (inside the gun's reach: to where its "
      "rounds would meet him), positive right; without a target from the own one",
-     Manual::kHeading,
-     [](const State& s, double x, Manual& m) {
-       say(m, Manual::kHeading, &Manual::heading, wrap_pi(bearing_of(aim_of(s)) + x));
-     },
-     always, "rad", -kPi, kPi},
+     Manual::kHeading, [](const State& s) { return bearing_of(aim_of(s)); }, turn_to, "rad", -kPi,
+     kPi},
     {"aim_up", "direction to fly to above the horizon, from that line, positive up", kVertical,
-     [](const State& s, double x, Manual& m) {
-       const double up = elevation_of(aim_of(s)) + x;
-       say(m, Manual::kClimb, &Manual::climb, std::clamp(up, -kSteepest, kSteepest));
-     },
-     always, "rad", -kSteepest, kSteepest},
-    {"altitude", "to fly", kVertical,
-     [](const State&, double x, Manual& m) { say(m, Manual::kAltitude, &Manual::altitude, x); },
-     always, "m", 0, 25e3},
+     [](const State& s) { return elevation_of(aim_of(s)); }, climb_by, "rad", -kSteepest,
+     kSteepest},
+    {"altitude", "to fly", kVertical, nowhere, climb_to, "m", 0, 25e3},
     {"altitude_change", "altitude to fly, from the own one", kVertical,
-     [](const State& s, double x, Manual& m) {
-       say(m, Manual::kAltitude, &Manual::altitude, s.own.altitude + x);
-     },
-     always, "m", -25e3, 25e3},
-    {"speed", "true airspeed to fly", Manual::kSpeed,
-     [](const State&, double x, Manual& m) { say(m, Manual::kSpeed, &Manual::speed, x); }, always,
-     "m/s", 50, 1000},
+     [](const State& s) { return s.own.altitude; }, climb_to, "m", -25e3, 25e3},
+    {"speed", "true airspeed to fly", Manual::kSpeed, nowhere,
+     [](double, double x, Manual& m) { say(m, Manual::kSpeed, &Manual::speed, x); }, "m/s", 50,
+     1000},
     {"speed_change", "true airspeed to fly, from the own one", Manual::kSpeed,
-     [](const State& s, double x, Manual& m) {
-       say(m, Manual::kSpeed, &Manual::speed, std::max(s.own.speed + x, 50.0));
+     [](const State& s) { return s.own.speed; },
+     [](double from, double x, Manual& m) {
+       say(m, Manual::kSpeed, &Manual::speed, std::max(from + x, 50.0));
      },
-     always, "m/s", -500, 500},
-    {"load_factor", "g, the most that turning may use", Manual::kLoadFactor,
-     [](const State&, double x, Manual& m) {
-       say(m, Manual::kLoadFactor, &Manual::load_factor, x);
-     },
-     always, "", 1, 12},
+     "m/s", -500, 500},
+    {"load_factor", "g, the most that turning may use", Manual::kLoadFactor, nowhere,
+     [](double, double x, Manual& m) { say(m, Manual::kLoadFactor, &Manual::load_factor, x); }, "",
+     1, 12},
     {"trigger", "presses the trigger of the gun", kTrigger,
-     [](const State&, double on, Manual& m) { m.trigger = on > 0 ? 1 : 0; },
-     [](const State& s) { return s.gun.rounds > 0 && s.type.index.gun.has_value(); }},
+     [](const State& s) -> double { return s.gun.rounds > 0 && s.type.index.gun; },
+     [](double, double on, Manual& m) { m.trigger = on > 0 ? 1 : 0; }},
     {"shoot",
      "presses the trigger if the target is hostile, within the gun's reach and in its cone of aim, "
      "and no friend is in the line of fire",
-     kTrigger,
-     [](const State& s, double on, Manual& m) { m.trigger = on > 0 && gun_bears(s) ? 1 : 0; },
-     gun_bears},
+     kTrigger, gun_bears,
+     [](double bears, double on, Manual& m) { m.trigger = on > 0 && bears > 0 ? 1 : 0; }},
     {"release",
      "releases a missile at the target, if it is hostile and in the zone of one that may leave "
      "now: of these the one of the shortest reach",
-     kRelease,
-     [](const State& s, double on, Manual& m) {
-       if (const auto store = on > 0 ? store_to_release(s) : std::nullopt)
-         m.store = static_cast<std::uint8_t>(*store + 1);
-     },
-     [](const State& s) { return store_to_release(s).has_value(); }},
+     kRelease, store_to_release,
+     [](double store, double on, Manual& m) {
+       if (on > 0)
+         m.store = static_cast<std::uint8_t>(store);
+     }},
     {"radar", "the radar radiates", Manual::kRadar,
-     [](const State&, double on, Manual& m) {
+     [](const State& s) -> double { return s.type.index.radar.has_value(); },
+     [](double, double on, Manual& m) {
        m.radar_off = on > 0 ? 0 : 1;
        m.said |= Manual::kRadar;
-     },
-     [](const State& s) { return s.type.index.radar.has_value(); }},
-    {"chaff", "throws out chaff by the dispenser's program", kChaff, dispense<Dispense::chaff>,
-     dispenses<Dispense::chaff>},
-    {"flares", "throws out flares by the dispenser's program", kFlares, dispense<Dispense::flares>,
-     dispenses<Dispense::flares>},
-    {"dispense", "throws out both", kChaff | kFlares, dispense<Dispense::both>,
-     dispenses<Dispense::both>},
+     }},
+    {"chaff", "throws out chaff by the dispenser's program", kChaff, dispenses<Dispense::chaff>,
+     dispense<Dispense::chaff>},
+    {"flares", "throws out flares by the dispenser's program", kFlares, dispenses<Dispense::flares>,
+     dispense<Dispense::flares>},
+    {"dispense", "throws out both", kChaff | kFlares, dispenses<Dispense::both>,
+     dispense<Dispense::both>},
 });
 constexpr auto kNames = [] {
   std::array<std::string_view, kTypes.size()> names{};
@@ -210,22 +201,29 @@ std::string Control::text() const {
   return cubic ? text + " cubic" : text;
 }
 
-Manual Controls::apply(const State& state, std::span<const float> units) const {
+Controls::Start Controls::start(const State& state) const {
+  Start start;
+  if (const Seen* target = state.target())
+    start.target = target->id();
+  for (std::size_t i = 0; i < size(); ++i)
+    start.from[i] = items()[i].info().from(state);
+  return start;
+}
+
+Manual Controls::apply(const Start& start, std::span<const float> units) const {
   EYRIE_DEMAND(units.size() >= size(), "a number for each control");
-  Manual manual{.seat = model::Seat::person};
-  if (const Seen* target = state.target()) {
-    manual.target = target->id();
+  Manual manual{.target = start.target, .seat = model::Seat::person};
+  if (start.target)
     manual.said |= Manual::kTarget;
-  }
   for (std::size_t i = 0; i < size(); ++i)
     if (!std::isnan(units[i]))
-      items()[i].info().apply(state, items()[i].value(units[i]), manual);
+      items()[i].info().apply(start.from[i], items()[i].value(units[i]), manual);
   return manual;
 }
 
-void Controls::mask(const State& state, std::uint8_t* out) const {
-  for (const Control& control : items())
-    *out++ = control.info().can(state) ? 1 : 0;
+void Controls::mask(const Start& start, std::uint8_t* out) const {
+  for (std::size_t i = 0; i < size(); ++i)
+    out[i] = !items()[i].info().is_flag() || start.from[i] > 0 ? 1 : 0;
 }
 
 }  // namespace eyrie::pilot

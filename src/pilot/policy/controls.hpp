@@ -13,16 +13,19 @@ struct ControlType {
   std::string_view help;
   /// A bit for each thing that it commands: no two controls of one list command the same.
   std::uint16_t commands = 0;
-  /// Writes a number in SI, or of a flag 1 or 0.
-  void (*apply)(const State&, double, model::Manual&) = nullptr;
-  /// Whether it could do anything now.
-  bool (*can)(const State&) = nullptr;
+  /// Where it starts from: what its number is added to, if it is; of a flag 0 if it could do
+  /// nothing now.
+  double (*from)(const State&) = nullptr;
+  /// Writes, from there, a number in SI, or of a flag 1 or 0.
+  void (*apply)(double from, double x, model::Manual&) = nullptr;
   Unit unit = {};  ///< of a number
   /// What a file may give as the range; a flag has none and is on above 0.
   double least = 0, most = 0;
 
   [[nodiscard]] constexpr bool is_flag() const { return least == most; }
 };
+/// No list has more controls: each commands something that no other one of it does.
+inline constexpr std::size_t kMostControls = 16;
 /// All there are, in the order of the reference.
 [[nodiscard]] std::span<const ControlType> control_types();
 
@@ -52,12 +55,22 @@ class Controls : public Layout<Control> {
   explicit Controls(std::string_view text, const Location& where = {"controls", 1, 1})
       : Layout(text, where) {}
 
+  /// All that apply() and mask() need to know of a state.
+  struct Start {
+    TrackId target{};                          ///< whom the pilot attacks; none: nobody
+    std::array<double, kMostControls> from{};  ///< of each control
+  };
+  [[nodiscard]] Start start(const State& state) const;
+
   /// What a person who wants this would ask for: as the payload of OrderKind::manual it is flown,
   /// and by fly_by_hand() it becomes an action. It attacks the pilot's target. `units`: size() of
   /// them; one that is NaN commands nothing. Allocates nothing.
-  [[nodiscard]] model::Manual apply(const State& state, std::span<const float> units) const;
+  [[nodiscard]] model::Manual apply(const Start& start, std::span<const float> units) const;
+  [[nodiscard]] model::Manual apply(const State& state, std::span<const float> units) const {
+    return apply(start(state), units);
+  }
   /// Writes size() times 1 if the control could do anything now, else 0.
-  void mask(const State& state, std::uint8_t* out) const;
+  void mask(const Start& start, std::uint8_t* out) const;
 };
 
 }  // namespace eyrie::pilot

@@ -27,7 +27,7 @@ Action flown(std::string_view text, std::vector<float> units, const Desk& desk) 
 std::vector<std::uint8_t> mask(std::string_view text, const Desk& desk) {
   const Controls controls(text);
   std::vector<std::uint8_t> mask(controls.size(), 9);
-  controls.mask(desk.state(), mask.data());
+  controls.mask(controls.start(desk.state()), mask.data());
   return mask;
 }
 
@@ -213,7 +213,7 @@ TEST(Controls, AllocateNothing) {
   std::vector<std::uint8_t> mask(5);
   const State state = desk.state();
   const NoAllocation guard;
-  controls.mask(state, mask.data());
+  controls.mask(controls.start(state), mask.data());
   const Manual manual = controls.apply(state, units);
   EXPECT_NE(manual.store, 0);
 }
