@@ -112,6 +112,12 @@ model::weapon::LaunchSituation State::launch_situation(const Seen& target) const
                                          party(target));
 }
 
+const model::Axes& State::body() const {
+  if (!body_)
+    body_ = model::body_axes(own);
+  return *body_;
+}
+
 const Reach& State::reach_of(const Seen& one) const {
   static_assert(model::kMaxTracks <= 32);
   const auto index = static_cast<std::size_t>(&one - seen.data());
@@ -141,8 +147,8 @@ const std::optional<Sight>& State::gun_sight(const Seen& target) const {
   believed.position = position_at(*target.track, time);
   believed.velocity = target.track->velocity;
   const double density = library.environment.atmosphere.at(own.altitude).density;
-  const model::weapon::Lead lead = model::weapon::lead_on(
-      library.guns[*type.index.gun], density, own, from_ned(own, nose_of(own)), believed);
+  const model::weapon::Lead lead =
+      model::weapon::lead_on(library.guns[*type.index.gun], density, own, body().forward, believed);
   gun_sight_ = Sight{.aim = to_ned(own, lead.direction),
                      .off_nose = lead.off_bore,
                      .range = lead.range,

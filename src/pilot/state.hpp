@@ -133,6 +133,8 @@ struct State : Cockpit {
   [[nodiscard]] model::weapon::EmploymentZone zone(std::uint16_t store, const Seen& against) const {
     return library.missiles[store].zone.at(launch_situation(against));
   }
+  /// Nose, right wing and belly in the local frame. Found once a decision.
+  [[nodiscard]] const model::Axes& body() const;
   /// From where a track, as it flies now, could hit this aircraft. Nobody knows what it carries: it
   /// is the farthest-reaching radar missile that the library knows. Found once a decision.
   [[nodiscard]] const Reach& reach_of(const Seen& one) const;
@@ -154,6 +156,7 @@ struct State : Cockpit {
   [[nodiscard]] Vec3 through_air(const Vec3& velocity) const;
   [[nodiscard]] model::weapon::LaunchParty party(const Seen& one) const;
 
+  mutable std::optional<model::Axes> body_;
   mutable std::uint32_t reaches_found_ = 0;  ///< bit i: of seen[i]
   mutable std::array<Reach, model::kMaxTracks> reaches_;
   mutable TrackId own_reach_to_;  ///< whom own_reach_ is about

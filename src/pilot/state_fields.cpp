@@ -21,7 +21,7 @@ double right_of_nose(const State& s, double bearing) {
 
 /// A direction (NED) in the own body axes: to the nose, the right wing and down.
 Vec3 in_body(const State& s, const Vec3& ned) {
-  const model::Axes axes = model::body_axes(s.own);
+  const model::Axes& axes = s.body();
   const Vec3 local = from_ned(s.own, ned);
   return {dot(local, axes.forward), dot(local, axes.right), dot(local, axes.down)};
 }
@@ -100,9 +100,9 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("turn_rate", "rad/s",
            "of the own heading as load factor and roll give it, positive right",
            [](const State& s) {
-             const double level_speed = s.own.speed * math::cos(s.own.pitch);
-             return model::kGravity * s.own.load_factor * math::sin(s.own.roll) /
-                    std::max(level_speed, 1.0);
+             const auto [path, bank] = math::sin_cos(s.own.pitch, s.own.roll);
+             const double level_speed = s.own.speed * path.cos;
+             return model::kGravity * s.own.load_factor * bank.sin / std::max(level_speed, 1.0);
            }),
     number("load_factor", "", "own, in g", [](const State& s) { return s.own.load_factor; }),
     number("available", "", "g that wing and structure give now",

@@ -7,21 +7,36 @@
 namespace eyrie::pilot {
 namespace {
 
-double transformed(const Feature& feature, double x) {
-  if (std::isnan(x))
+/// The value of one field, for one feature after the other.
+class FieldValue {
+ public:
+  explicit FieldValue(double x) : x_(x) {}
+  [[nodiscard]] double as(const Feature& feature) {
+    if (std::isnan(x_))
+      return 0;
+    switch (feature.transform) {
+      case Transform::linear:
+        return to_unit(x_, feature.low, feature.high);
+      case Transform::sine:
+        return turned().sin;
+      case Transform::cosine:
+        return turned().cos;
+      case Transform::present:
+        return 1;
+    }
     return 0;
-  switch (feature.transform) {
-    case Transform::linear:
-      return to_unit(x, feature.low, feature.high);
-    case Transform::sine:
-      return std::isinf(x) ? 0 : math::sin(x);
-    case Transform::cosine:
-      return std::isinf(x) ? 0 : math::cos(x);
-    case Transform::present:
-      return 1;
   }
-  return 0;
-}
+
+ private:
+  const math::SinCos& turned() {
+    if (!turned_)
+      turned_ = std::isinf(x_) ? math::SinCos{0, 0} : math::sin_cos(x_);
+    return *turned_;
+  }
+
+  double x_;
+  std::optional<math::SinCos> turned_;
+};
 
 }  // namespace
 
@@ -68,12 +83,12 @@ std::string Feature::text() const {
 void Observation::write(const State& state, float* out) const {
   const ubf::StateField<State>* fields = ubf::StateFields<State>::all().data();
   std::uint32_t last = ~0U;
-  double value = 0;
+  FieldValue value(0);
   for (const Feature& feature : items()) {
     if (feature.field != last)  // sine and cosine of one angle stand one after the other
-      value = fields[feature.field].read(state);
+      value = FieldValue(fields[feature.field].read(state));
     last = feature.field;
-    *out++ = static_cast<float>(transformed(feature, value));
+    *out++ = static_cast<float>(value.as(feature));
   }
 }
 
