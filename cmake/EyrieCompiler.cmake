@@ -31,6 +31,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # sources compiled as one; ccache needs to see the macros of a precompiled header
   list(APPEND own_options -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
                           -Wno-subobject-linkage -fpch-preprocess)
+  # code for a shared library, which the Python module is, in which nobody replaces a function: what a file defines may be
+  # inlined in it
+  list(APPEND own_options -fno-semantic-interposition)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     # rows are cleared and copied by vectors: `rep stos`, which GCC takes else, needs dozens of cycles to begin
     foreach(of memset memcpy)
