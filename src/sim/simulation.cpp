@@ -90,14 +90,23 @@ void Simulation::step(std::span<const Stepped> worlds) const {
       EYRIE_THROW_UNLESS(other->world != one.world && other->work != one.work,
                          "a world or a workspace is there twice");
   }
-  for (const Stepped& one : worlds)
-    begin(one);
-  run(Phase::perceive, &System::perceive, worlds);
-  run(Phase::decide, &System::decide, worlds);
-  run(Phase::act, &System::act, worlds);
-  run(Phase::move, &System::move, worlds);
-  run(Phase::interact, &System::interact, worlds);
-  for (const Stepped& one : worlds) {
+  std::array<Going, kMostTogether> places;
+  const std::span<Going> going = std::span(places).first(worlds.size());
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    const World& world = *worlds[i].world;
+    going[i] = {worlds[i].world, worlds[i].work,
+                {.step = world.step(), .seed = world.seed(), .dt = dt_}};
+    begin(going[i], worlds[i].orders);
+  }
+  run<&System::perceive>(Phase::perceive, going);
+  run<&System::decide>(Phase::decide, going);
+  run<&System::act>(Phase::act, going);
+  if (going.size() > 1)
+    move_together(going);
+  else
+    run<&System::move>(Phase::move, going);
+  run<&System::interact>(Phase::interact, going);
+  for (const Going& one : going) {
     if (one.work->fault_) [[unlikely]] {
       one.work->events_.clear();
       continue;
@@ -107,18 +116,18 @@ void Simulation::step(std::span<const Stepped> worlds) const {
   }
 }
 
-void Simulation::begin(const Stepped& one) const {
+void Simulation::begin(const Going& one, std::span<const Order> orders) const {
   World& world = *one.world;
   Workspace& work = *one.work;
   work.events_.clear();
   work.fault_.reset();
-  for (const Order& order : one.orders) {
+  for (const Order& order : orders) {
     const System* system = handler(order.kind);
     EYRIE_DEMAND(order.step == world.step(), "an order is applied in the step it names");
     EYRIE_DEMAND(system != nullptr, "an order needs a system that accepts its kind");
     if (work.check_) [[unlikely]]
       work.check_->begin(world);
-    system->apply_order(world, info(world), order, work.events_);
+    system->apply_order(world, one.info, order, work.events_);
     if (failed(*system, one)) [[unlikely]]
       return;
     if (work.check_) [[unlikely]]
@@ -126,60 +135,32 @@ void Simulation::begin(const Stepped& one) const {
   }
 }
 
-void Simulation::run(Phase phase, Part part, std::span<const Stepped> worlds) const {
-  for (const Turn& turn : by_phase_[index_of(phase)]) {
-    if (phase == Phase::move && worlds.size() > 1) {
-      move_together(turn, worlds);
-      continue;
+template <auto kPart>
+void Simulation::run(Phase phase, std::span<const Going> worlds) const {
+  for (const Turn& turn : by_phase_[index_of(phase)])
+    for (const Going& one : worlds) {
+      const std::uint32_t rows = one.world->rows(turn.table);
+      if (rows == 0 || one.work->fault_)
+        continue;
+      if (rows > kChunk || one.work->check_) [[unlikely]] {
+        run_at_length<kPart>(turn, phase, one, rows);
+        continue;
+      }
+      [&]() noexcept { (turn.system->*kPart)(*one.world, one.info, {0, rows}, one.work->events_); }();
+      static_cast<void>(failed(*turn.system, one));
     }
-    for (const Stepped& one : worlds)
-      if (const std::uint32_t rows = one.world->rows(turn.table); rows > 0 && !one.work->fault_)
-        run(turn, phase, part, one, rows);
-  }
 }
 
-void Simulation::move_together(const Turn& turn, std::span<const Stepped> worlds) const {
-  std::array<Share, kMostTogether> shares;
-  std::array<const Stepped*, kMostTogether> whose;
-  std::size_t count = 0;
-  for (const Stepped& one : worlds) {
-    const std::uint32_t rows = one.world->rows(turn.table);
-    if (rows == 0 || one.work->fault_)
-      continue;
-    if (rows > kChunk || one.work->check_) {
-      run(turn, Phase::move, &System::move, one, rows);
-    } else {
-      shares[count] = {one.world, info(*one.world), {0, rows}, &one.work->events_};
-      whose[count++] = &one;
-    }
-  }
-  if (count == 0)
-    return;
-  [&]() noexcept { turn.system->move_together(std::span(shares).first(count)); }();
-  for (std::size_t i = 0; i < count; ++i)
-    static_cast<void>(failed(*turn.system, *whose[i]));
-}
-
-bool Simulation::failed(const System& system, const Stepped& one) const {
-  Workspace& work = *one.work;
-  if (!work.events_.failed()) [[likely]]
-    return false;
-  work.fault_ = work.events_.take_fault();
-  work.fault_->system = system.name();
-  work.fault_->step = one.world->step();
-  return true;
-}
-
-void Simulation::run(const Turn& turn, Phase phase, Part part, const Stepped& one,
-                     std::uint32_t rows) const {
+template <auto kPart>
+void Simulation::run_at_length(const Turn& turn, Phase phase, const Going& one,
+                               std::uint32_t rows) const {
   const System& system = *turn.system;
   World& world = *one.world;
   Workspace& work = *one.work;
-  const StepInfo info = this->info(world);
-  if (work.check_) [[unlikely]]
+  if (work.check_)
     work.check_->begin(world);
   const auto run_chunk = [&](Chunk chunk, Outbox& out) noexcept {
-    (system.*part)(world, info, chunk, out);
+    (system.*kPart)(world, one.info, chunk, out);
   };
   if (rows <= kChunk) {
     run_chunk({0, rows}, work.events_);
@@ -189,24 +170,54 @@ void Simulation::run(const Turn& turn, Phase phase, Part part, const Stepped& on
     });
     work.collect(chunk_count(rows));
   }
-  if (failed(system, one)) [[unlikely]]
-    return;
-  if (work.check_) [[unlikely]]
+  if (!failed(system, one) && work.check_)
     work.check_->end(world, system, phase, [&](World& other, Chunk chunk) {
-      (system.*part)(other, info, chunk, work.emitted_);
+      (system.*kPart)(other, one.info, chunk, work.emitted_);
       static_cast<void>(work.emitted_.take_fault());
       work.emitted_.clear();
     });
 }
 
-void Simulation::commit(const Stepped& one) const {
+void Simulation::move_together(std::span<const Going> worlds) const {
+  for (const Turn& turn : by_phase_[index_of(Phase::move)]) {
+    std::array<Share, kMostTogether> shares;
+    std::array<const Going*, kMostTogether> whose;
+    std::size_t count = 0;
+    for (const Going& one : worlds) {
+      const std::uint32_t rows = one.world->rows(turn.table);
+      if (rows == 0 || one.work->fault_)
+        continue;
+      if (rows > kChunk || one.work->check_) [[unlikely]] {
+        run_at_length<&System::move>(turn, Phase::move, one, rows);
+        continue;
+      }
+      shares[count] = {one.world, one.info, {0, rows}, &one.work->events_};
+      whose[count++] = &one;
+    }
+    if (count == 0)
+      continue;
+    [&]() noexcept { turn.system->move_together(std::span(shares).first(count)); }();
+    for (std::size_t i = 0; i < count; ++i)
+      static_cast<void>(failed(*turn.system, *whose[i]));
+  }
+}
+
+bool Simulation::fail(const System& system, const Going& one) {
+  Workspace& work = *one.work;
+  work.fault_ = work.events_.take_fault();
+  work.fault_->system = system.name();
+  work.fault_->step = one.info.step;
+  return true;
+}
+
+void Simulation::commit(const Going& one) const {
   World& world = *one.world;
   Workspace& work = *one.work;
+  CommitContext context(world, work.emitted_);
   for (const auto& [system, table] : by_phase_[index_of(Phase::commit)]) {
     if (work.check_) [[unlikely]]
       work.check_->begin(world);
-    CommitContext context(world, work.emitted_);
-    system->commit(world, info(world), work.events(), context);
+    system->commit(world, one.info, work.events(), context);
     if (work.check_) [[unlikely]]
       work.check_->end(world, *system, Phase::commit);
     // appended only now: the system was reading the events it was given

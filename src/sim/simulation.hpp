@@ -92,24 +92,31 @@ class Simulation {
  private:
   friend class SimulationBuilder;
   friend class Workspace;
-  using Part = void (System::*)(World&, const StepInfo&, Chunk, Outbox&) const;
-
   Simulation(std::shared_ptr<const Schema> schema, double dt);
   /// A system's part in a phase, with its table beside it: a step asks each several times.
   struct Turn {
     const System* system;
     TableId table;
   };
-  [[nodiscard]] StepInfo info(const World& world) const {
-    return {.step = world.step(), .seed = world.seed(), .dt = dt_};
-  }
-  void begin(const Stepped& one) const;
-  void run(Phase phase, Part part, std::span<const Stepped> worlds) const;
-  void run(const Turn& turn, Phase phase, Part part, const Stepped& one, std::uint32_t rows) const;
-  void move_together(const Turn& turn, std::span<const Stepped> worlds) const;
+  /// One of the worlds that are stepped together, in the step that is made.
+  struct Going {
+    World* world;
+    Workspace* work;
+    StepInfo info;
+  };
+  void begin(const Going& one, std::span<const Order> orders) const;
+  template <auto kPart>
+  void run(Phase phase, std::span<const Going> worlds) const;
+  /// Rows of several chunks, or in a world where writes are checked.
+  template <auto kPart>
+  void run_at_length(const Turn& turn, Phase phase, const Going& one, std::uint32_t rows) const;
+  void move_together(std::span<const Going> worlds) const;
   /// Whether the system made the step impossible.
-  bool failed(const System& system, const Stepped& one) const;
-  void commit(const Stepped& one) const;
+  static bool failed(const System& system, const Going& one) {
+    return one.work->events_.failed() && fail(system, one);
+  }
+  static bool fail(const System& system, const Going& one);
+  void commit(const Going& one) const;
 
   std::shared_ptr<const Schema> schema_;
   double dt_;
