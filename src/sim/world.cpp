@@ -73,9 +73,11 @@ std::optional<Born> World::spawn(TableId table) {
 void World::remove(TableId table, std::uint32_t row) {
   EYRIE_ASSERT(row < rows(table));
   marks(table)[row] = kLeaving;
+  any_leaving_ = true;
 }
 
-void World::compact() {
+void World::compact_marked() {
+  any_leaving_ = false;
   const auto tables = static_cast<std::uint32_t>(schema_->tables().size());
   for (std::uint32_t i = 1; i <= tables; ++i)
     if (std::memchr(marks(TableId{i}), static_cast<int>(kLeaving), rows(TableId{i})) != nullptr)
@@ -111,6 +113,7 @@ std::optional<World> World::moved_to(std::shared_ptr<const Schema> schema) const
   if (!same_but_for_bytes(*schema, *schema_))
     return std::nullopt;
   World moved(std::move(schema), seed());
+  moved.any_leaving_ = any_leaving_;
   std::memcpy(moved.data(), data(), header_bytes().size());
   for (std::uint32_t i = 0; i < schema_->columns().size(); ++i) {
     const ColumnInfo& column = moved.schema().column(i);
@@ -127,6 +130,7 @@ void World::become(const World& other) {
     *this = other;
     return;
   }
+  any_leaving_ = other.any_leaving_;
   for (const TableInfo& table : schema_->tables()) {
     const TableId id = schema_->column(table.columns[0]).table;
     const std::size_t used = std::max(rows(id), other.rows(id));  // what was used becomes zero

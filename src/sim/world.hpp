@@ -123,7 +123,10 @@ class World {
   void remove(TableId table, std::uint32_t row);
   /// Takes the marked rows out, keeps the order of the rest and zeroes what is freed. The step
   /// calls it at the end of its commit.
-  void compact();
+  void compact() {
+    if (any_leaving_) [[unlikely]]
+      compact_marked();
+  }
 
   /// The same world for another schema, which may have other capacities. Columns of bytes without
   /// a description stay zero where the other's have another size. Nothing if anything else is
@@ -181,10 +184,12 @@ class World {
   }
   [[nodiscard]] std::byte* marks(TableId table);
   [[nodiscard]] const std::byte* marks(TableId table) const;
+  void compact_marked();
   void compact(TableId table);
 
   std::shared_ptr<const Schema> schema_;
   std::vector<Line> lines_;
+  bool any_leaving_ = false;  ///< whether a row is marked for removal
 };
 
 }  // namespace eyrie::sim
