@@ -88,7 +88,7 @@ TableId SchemaBuilder::add_table(std::string_view name, std::uint32_t capacity) 
   if (capacity == 0 || capacity > kMostRows)
     misuse(fmt::format("table '{}' must have room for 1 to {} rows, not {}", name, kMostRows,
                        capacity));
-  schema.tables_.push_back({std::string(name), capacity, {}});
+  schema.tables_.push_back({.name = std::string(name), .capacity = capacity, .columns = {}});
   const TableId table{static_cast<std::uint32_t>(schema.tables_.size())};
 
   constexpr FieldInfo kId{.name = "id", .type = Scalar::u32};
@@ -144,12 +144,16 @@ std::shared_ptr<const Schema> SchemaBuilder::build() {
   if (schema.tables_.empty())
     misuse("it has no table");
   std::uint64_t bytes = round_up(World::header_bytes(schema.tables_.size()));
-  for (const TableInfo& table : schema.tables_)
+  schema.places_.resize(schema.columns_.size());
+  for (TableInfo& table : schema.tables_) {
+    table.ids = bytes;
     for (const std::uint32_t index : table.columns) {
       ColumnInfo& column = schema.columns_[index];
       column.offset = bytes;
+      schema.places_[index] = {bytes, column.table.value - 1};
       bytes = round_up(bytes + std::uint64_t{column.stride} * table.capacity);
     }
+  }
   schema.bytes_ = bytes;
   schema.layout_hash_ = hash_layout(schema);
   return std::move(schema_);

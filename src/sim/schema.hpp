@@ -37,7 +37,14 @@ struct ColumnInfo {
 struct TableInfo {
   std::string name;
   std::uint32_t capacity = 0;
+  std::uint64_t ids = 0;               ///< offset of the ids
   std::vector<std::uint32_t> columns;  ///< [0] the ids, [1] the leaving marks, then as added
+};
+
+/// Where a column is in a World: what every look at one needs, and nothing else.
+struct ColumnPlace {
+  std::uint64_t offset = 0;
+  std::uint32_t table = 0;  ///< index
 };
 
 /// The const description of a World. Immutable once built and shared by every World of a run.
@@ -49,6 +56,8 @@ class Schema {
   [[nodiscard]] std::span<const ColumnInfo> columns() const { return columns_; }
   [[nodiscard]] const TableInfo& table(TableId t) const { return tables_[t.value - 1]; }
   [[nodiscard]] const ColumnInfo& column(std::uint32_t index) const { return columns_[index]; }
+
+  [[nodiscard]] const ColumnPlace& place(std::uint32_t index) const { return places_[index]; }
 
   /// The table of that name, or an empty id.
   [[nodiscard]] TableId find_table(std::string_view name) const;
@@ -65,6 +74,7 @@ class Schema {
   friend class SchemaBuilder;
   std::vector<TableInfo> tables_;
   std::vector<ColumnInfo> columns_;
+  std::vector<ColumnPlace> places_;  ///< by column
   std::uint64_t bytes_ = 0;
   std::uint64_t layout_hash_ = 0;
 };

@@ -66,21 +66,19 @@ class World {
   }
   /// The ids of a table, ascending.
   [[nodiscard]] std::span<const PlayerId> ids(TableId table) const {
-    const std::uint32_t column = schema_->table(table).columns[0];
-    return {reinterpret_cast<const PlayerId*>(data() + schema_->column(column).offset),
-            rows(table)};
+    return {reinterpret_cast<const PlayerId*>(data() + schema_->table(table).ids), rows(table)};
   }
 
   /// The live rows of a column, in spawn order.
   template <class Row>
   [[nodiscard]] std::span<Row> rows(Column<Row> column) {
-    const ColumnInfo& c = checked(column.index, sizeof(Row));
-    return {reinterpret_cast<Row*>(data() + c.offset), rows(c.table)};
+    const ColumnPlace& c = checked(column.index, sizeof(Row));
+    return {reinterpret_cast<Row*>(data() + c.offset), counts()[c.table]};
   }
   template <class Row>
   [[nodiscard]] std::span<const Row> rows(Column<Row> column) const {
-    const ColumnInfo& c = checked(column.index, sizeof(Row));
-    return {reinterpret_cast<const Row*>(data() + c.offset), rows(c.table)};
+    const ColumnPlace& c = checked(column.index, sizeof(Row));
+    return {reinterpret_cast<const Row*>(data() + c.offset), counts()[c.table]};
   }
   /// The bytes of one row of a byte column.
   [[nodiscard]] std::span<std::byte> bytes(ByteColumn column, std::size_t row) {
@@ -175,12 +173,11 @@ class World {
   [[nodiscard]] const std::uint32_t* counts() const {
     return reinterpret_cast<const std::uint32_t*>(data() + sizeof(Header));
   }
-  [[nodiscard]] const ColumnInfo& checked(std::uint32_t index, std::size_t row_size) const {
+  [[nodiscard]] const ColumnPlace& checked(std::uint32_t index, std::size_t row_size) const {
     EYRIE_ASSERT(index < schema_->columns().size());
-    const ColumnInfo& c = schema_->column(index);
-    EYRIE_ASSERT(c.stride == row_size);
+    EYRIE_ASSERT(schema_->column(index).stride == row_size);
     static_cast<void>(row_size);
-    return c;
+    return schema_->place(index);
   }
   [[nodiscard]] std::byte* marks(TableId table);
   [[nodiscard]] const std::byte* marks(TableId table) const;
