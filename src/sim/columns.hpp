@@ -107,8 +107,9 @@ class Views {
  public:
   template <class Columns>
   Views(AnyWorld& world, const Columns& keys)
-      : spans_(with_lines(lines_of(View::columns()),
-                          [&](auto... member) { return Spans{world.rows(keys.*member)...}; })) {}
+      : first_(with_lines(lines_of(View::columns()), [&](auto... member) {
+          return First{world.rows(keys.*member).data()...};
+        })) {}
 
   /// The view of a row; what is no column follows as `rest`.
   template <class... Rest>
@@ -120,16 +121,16 @@ class Views {
   [[nodiscard]] View at_both(std::size_t row, const Views& sensed, std::size_t sensed_row,
                              Rest&&... rest) const {
     return [&]<std::size_t... I>(std::index_sequence<I...>)->View {
-      return {(kSensed[I] ? line<I>(sensed.spans_)[sensed_row] : line<I>(spans_)[row])...,
+      return {(kSensed[I] ? line<I>(sensed.first_)[sensed_row] : line<I>(first_)[row])...,
               std::forward<Rest>(rest)...};
     }
-    (std::make_index_sequence<Spans::size()>{});
+    (std::make_index_sequence<First::size()>{});
   }
 
  private:
   template <class World, class Columns, class... Row>
-  static auto spans_of(const Lines<Column<Row> Columns::*...>&)
-      -> Lines<decltype(std::declval<World&>().rows(std::declval<Column<Row>>()))...>;
+  static auto first_of(const Lines<Column<Row> Columns::*...>&)
+      -> Lines<decltype(std::declval<World&>().rows(std::declval<Column<Row>>()).data())...>;
   template <class Columns, class... Row>
   [[nodiscard]] static constexpr std::array<bool, sizeof...(Row)> sensed(
       const Lines<Column<Row> Columns::*...>& members) {
@@ -138,9 +139,9 @@ class Views {
     });
   }
 
-  using Spans = decltype(spans_of<AnyWorld>(lines_of(View::columns())));
+  using First = decltype(first_of<AnyWorld>(lines_of(View::columns())));
   static constexpr auto kSensed = sensed(lines_of(View::columns()));
-  Spans spans_;
+  First first_;  ///< row of each column
 };
 
 }  // namespace eyrie::sim

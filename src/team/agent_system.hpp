@@ -65,7 +65,7 @@ class AgentSystem final : public Agents {
   [[nodiscard]] std::span<const sim::OrderKind> accepts() const override { return kOrders; }
   void apply_order(sim::World& world, const sim::StepInfo&, const sim::Order& order,
                    sim::Outbox& out) const override {
-    const auto row = world.row(table(), order.player);
+    const auto row = world.row(setup_.columns.table, order.player);
     if (!row || world.rows(setup_.columns.fit)[*row].remote != 0)
       return;
     Agent& agent = world.rows(setup_.agents.agent)[*row];
@@ -77,25 +77,32 @@ class AgentSystem final : public Agents {
 
   void decide(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
               sim::Outbox& out) const override {
-    std::optional<Rows> rows;  // found for the first who decides
     const sim::Views<typename Platform::Controls, sim::World> controls(world, setup_.columns);
-    const auto ids = world.ids(table());
-    const auto fits = std::as_const(world).rows(setup_.columns.fit);
+    const auto ids = world.ids(setup_.columns.table);
     const auto agents = world.rows(setup_.agents.agent);
     const auto asked_rows = asked_of(world);
-    for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
+    for (std::size_t row = chunk.begin; row < chunk.end; ++row)
+      Platform::rest(controls.at(row));
+    const auto decides = [&](std::size_t row) {
+      return deciding_.due(info, ids[row], agents[row].tree) && !Outside::sleeps(asked_rows[row]);
+    };
+    std::size_t row = chunk.begin;
+    while (row < chunk.end && !decides(row))
+      ++row;
+    if (row == chunk.end)
+      return;
+
+    const Rows rows(std::as_const(world), setup_.columns);
+    const auto fits = std::as_const(world).rows(setup_.columns.fit);
+    for (; row < chunk.end; ++row) {
+      if (!decides(row))
+        continue;
+      // perceive
       Agent& agent = agents[row];
       const auto mine = controls.at(row);
       auto& asked = asked_rows[row];
-      Platform::rest(mine);
-      if (!deciding_.due(info, ids[row], agent.tree) || Outside::sleeps(asked))
-        continue;
-
-      // perceive
-      if (!rows)
-        rows.emplace(std::as_const(world), setup_.columns);
       const model::Fit& fit = fits[row];
-      const State state(rows->at(row, agent), *setup_.library, fit, setup_.plans[fit.flight],
+      const State state(rows.at(row, agent), *setup_.library, fit, setup_.plans[fit.flight],
                         info.time());
       const typename Platform::Teller teller(ids[row], state, out);
       Platform::account(state, agent);
@@ -103,7 +110,8 @@ class AgentSystem final : public Agents {
 
       // decide
       ubf::TransitionLog log;
-      ubf::Proposal<Action> decided;
+      ubf::Scratch<Action> scratch(ubf::ClearedLater{});  // a tree begins with that
+      ubf::Proposal<Action>& decided = scratch.get();
       if (!deciding_.ask(agent.tree, state, info, ids[row], world.bytes(setup_.agents.brain, row),
                          Outside::votes(asked).span(), log, decided, out)) [[unlikely]]
         return;
