@@ -36,8 +36,8 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, dou
       run_(scenario_->simulation, std::move(start), with_copies(options, *scenario_)),
       until_(until),
       judge_(*scenario_, until_),
-      any_home_(any_home),
-      outcome_(judge_(run_.world(), any_home_)) {}
+      course_{.any_home = any_home},
+      outcome_(judge_(run_.world(), any_home)) {}
 
 Mission::Mission(const std::shared_ptr<const Scenario>& scenario, std::uint64_t seed,
                  std::optional<double> until, const sim::RunOptions& options)
@@ -50,6 +50,9 @@ Mission::Mission(const std::shared_ptr<const Scenario>& scenario, std::uint64_t 
 Judge::Judge(const Scenario& scenario, double until)
     : scenario_(&scenario),
       last_step_(scenario.spec.rates.step_at(until)),
+      somebody_may_arrive_(std::ranges::any_of(
+          scenario.fleets,
+          [](const auto& fleet) { return fleet->agents && !fleet->words.comes_home; })),
       standings_(scenario.library->flights.size()) {}
 
 std::optional<std::string> start_problem(const Scenario& scenario) {
@@ -60,24 +63,11 @@ std::optional<std::string> start_problem(const Scenario& scenario) {
                      enum_name(scenario.spec.ends), enum_name(outcome));
 }
 
-bool Judge::comes_home(std::span<const sim::Event> events) const {
-  return std::ranges::any_of(events, [&](const sim::Event& e) {
-    if (e.kind != sim::EventKind(model::EventKind::home))
-      return false;
-    const Roster::Player* who = scenario_->roster.find(e.who);
-    return who && who->side == model::Side::blue;
-  });
-}
-
-std::optional<Census> Judge::census(const sim::World& world) const {
-  Census there{.next_id = world.next_id()};
-  for (const auto& fleet : scenario_->fleets) {
-    const std::uint32_t rows = fleet->rows(world);
-    if (rows > 0 && !fleet->words.comes_home)
-      return std::nullopt;
-    there.players += rows;
-  }
-  return there;
+bool Judge::is_home_of_blue(const sim::Event& event) const {
+  if (event.kind != sim::EventKind(model::EventKind::home))
+    return false;
+  const Roster::Player* who = scenario_->roster.find(event.who);
+  return who && who->side == model::Side::blue;
 }
 
 Outcome Judge::operator()(const sim::World& world, bool any_home) {
@@ -110,11 +100,7 @@ bool Mission::step() {
     outcome_ = Outcome::fault;
     return false;
   }
-  any_home_ |= judge_.comes_home(events);
-  const auto there = judge_.census(run_.world());
-  outcome_ =
-      there && there == census_ ? judge_.by_time(run_.world()) : judge_(run_.world(), any_home_);
-  census_ = there;
+  outcome_ = judge_.after_step(run_.world(), events, course_);
   return true;
 }
 

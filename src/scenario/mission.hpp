@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One flight of a scenario, from its first world to its end.
+#include <algorithm>
+
 #include "core/enum_names.hpp"
 #include "scenario/roster.hpp"
 #include "scenario/scenario.hpp"
@@ -32,11 +34,10 @@ constexpr auto names_of(Outcome) {
 /// start. Nothing if something would.
 [[nodiscard]] std::optional<std::string> start_problem(const Scenario& scenario);
 
-/// Of one run: nobody has left and nobody was born while it stays the same.
-struct Census {
-  std::uint32_t players = 0;
-  PlayerId next_id{};
-  friend bool operator==(const Census&, const Census&) = default;
+/// What a judge keeps of a run from step to step.
+struct Course {
+  bool any_home = false;    ///< whether a blue aircraft has come home
+  sim::Census census = {};  ///< after the last step
 };
 
 /// Says when a flight is over. Allocates only when it is made.
@@ -47,18 +48,31 @@ class Judge {
 
   /// `any_home`: whether a blue aircraft has come home before.
   [[nodiscard]] Outcome operator()(const sim::World& world, bool any_home);
-  /// While a run went on and has this census, only the time can end it; nothing while somebody
-  /// drives, who may arrive.
-  [[nodiscard]] std::optional<Census> census(const sim::World& world) const;
+  /// After a step of a run that went on, with its events.
+  [[nodiscard]] Outcome after_step(const sim::World& world, std::span<const sim::Event> events,
+                                   Course& course) {
+    course.any_home |= comes_home(events);
+    const bool same = world.census() == course.census && !somebody_may_arrive_;
+    return same ? by_time(world) : count_anew(world, course);
+  }
+
+ private:
+  [[nodiscard]] Outcome count_anew(const sim::World& world, Course& course) {
+    course.census = world.census();
+    return (*this)(world, course.any_home);
+  }
   [[nodiscard]] Outcome by_time(const sim::World& world) const {
     return world.step() >= last_step_ ? Outcome::time : Outcome::running;
   }
-  /// Whether one does in these events.
-  [[nodiscard]] bool comes_home(std::span<const sim::Event> events) const;
+  /// Whether a blue aircraft does in these events.
+  [[nodiscard]] bool comes_home(std::span<const sim::Event> events) const {
+    return std::ranges::any_of(events, [&](const sim::Event& e) { return is_home_of_blue(e); });
+  }
+  [[nodiscard]] bool is_home_of_blue(const sim::Event& event) const;
 
- private:
   const Scenario* scenario_;
   std::uint64_t last_step_;
+  bool somebody_may_arrive_;         ///< who drives: that can end a run whose census stays the same
   std::vector<Standing> standings_;  ///< by flight
 };
 
@@ -102,16 +116,15 @@ class Mission {
 
   [[nodiscard]] Outcome outcome() const { return outcome_; }
   /// Whether a blue aircraft has come home so far: for another mission that goes on from here.
-  [[nodiscard]] bool any_home() const { return any_home_; }
+  [[nodiscard]] bool any_home() const { return course_.any_home; }
 
  private:
   std::shared_ptr<const Scenario> scenario_;
   sim::Run run_;
   double until_;
   Judge judge_;
-  bool any_home_ = false;
+  Course course_;
   Outcome outcome_;
-  std::optional<Census> census_;  ///< after the last step
 };
 
 /// "eagle1 at 12.3 s (step 615): root/pursue of tree 'pilot', from libmine.so, threw: no fuel"

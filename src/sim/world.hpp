@@ -21,6 +21,13 @@ struct Born {
   std::uint32_t row = 0;
 };
 
+/// Of one run: nobody has left and nobody was born while it stays the same.
+struct Census {
+  std::uint64_t players = 0;
+  PlayerId next_id{};
+  friend bool operator==(const Census&, const Census&) = default;
+};
+
 /// Everything that changes in a run. A value: copy it to take a snapshot, assign it to roll back,
 /// hash it to compare runs.
 ///
@@ -56,6 +63,12 @@ class World {
   }
   /// The id that the next player will get.
   [[nodiscard]] PlayerId next_id() const { return PlayerId{header().next_id}; }
+  [[nodiscard]] Census census() const {
+    Census there{.next_id = next_id()};
+    for (std::uint32_t i = 0; i < header().tables; ++i)
+      there.players += counts()[i];
+    return there;
+  }
   /// How many players could not be born because their table was full.
   [[nodiscard]] std::uint64_t refused_births() const { return header().refused_births; }
 

@@ -44,7 +44,7 @@ struct VectorEnv::Slot {
   std::uint64_t seed = 0;
   std::uint64_t episodes = 0;  ///< that are over since the last reset of all
   scenario::Outcome outcome = scenario::Outcome::running;
-  bool any_home = false;
+  scenario::Course course;
   std::vector<Agent> agents;
   bool kept = false;
   std::vector<sim::Order> orders, last_orders;  ///< of this episode and of the one before

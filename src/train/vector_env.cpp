@@ -40,7 +40,7 @@ void VectorEnv::begin(Slot& slot, std::uint64_t seed, Lane& lane) const {
   scenario_->begin(slot.world, seed);
   slot.seed = seed;
   slot.outcome = scenario::Outcome::running;
-  slot.any_home = false;
+  slot.course = {};
   slot.fault.reset();
   slot.orders.clear();
   for (std::size_t i = 0; i < slot.agents.size(); ++i) {
@@ -205,8 +205,7 @@ void VectorEnv::look(Slot& slot, scenario::Judge& judge, const sim::Workspace& w
   for (const sim::Event& event : work.events())
     for (std::size_t agent = 0; agent < shape_.agents; ++agent)
       note(event, learners_[agent].id, scenario_->roster, slot.agents[agent].merit);
-  slot.any_home |= judge.comes_home(work.events());
-  slot.outcome = judge(slot.world, slot.any_home);
+  slot.outcome = judge.after_step(slot.world, work.events(), slot.course);
 }
 
 void VectorEnv::judge(Slot& slot, std::size_t env, Lane& lane) {
