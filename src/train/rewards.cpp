@@ -61,20 +61,9 @@ std::optional<double> off_place(const scenario::Scenario& scenario, const sim::W
               scenario::beside(scenario.library->reference, k.position, k.heading, offset));
 }
 
-/// How the learner and the nearest enemy fly to each other.
-struct Duel {
-  double range = 0;                       ///< m
-  double closing = 0;                     ///< m/s
-  double off_nose = 0, off_his_nose = 0;  ///< rad in [0, pi]
-};
-Duel duel(const Kinematics& own, const Kinematics& other) {
-  const Vec3 sight = other.position - own.position;
-  const double range = norm(sight);
-  const Vec3 turning = other.velocity - own.velocity;
-  return {.range = range,
-          .closing = range > 0 ? -dot(sight, turning) / range : 0,
-          .off_nose = angle_between(own.velocity, sight),
-          .off_his_nose = angle_between(other.velocity, -sight)};
+/// m/s
+double closing(const Kinematics& own, const Kinematics& other, const Vec3& sight, double range) {
+  return range > 0 ? -dot(sight, other.velocity - own.velocity) / range : 0;
 }
 
 }  // namespace
@@ -110,11 +99,14 @@ double reward(std::span<const Reward> terms, const scenario::Scenario& scenario,
   const auto row = world.row(scenario.aircraft.table, who);
   const Kinematics* own = row ? &world.rows(scenario.aircraft.kinematics)[*row] : nullptr;
   const Kinematics* other = own ? nearest_enemy(scenario, world, *own, side) : nullptr;
-  const Duel d = other ? duel(*own, *other) : Duel{};
+  const Vec3 sight = other ? other->position - own->position : Vec3{};
+  const double range = norm(sight);
   const Living left = over ? living(scenario, world, side) : Living{};
   const auto worth = [&](const Reward& r) -> double {
     const double lived = own ? r.weight * seconds : 0, fought = other ? lived : 0;
-    const double within = r.high == 0 ? 1 : near_one(d.range, r.low, r.high);
+    const auto within = [&] {
+      return !other ? 0 : r.high == 0 ? 1 : near_one(range, r.low, r.high);
+    };
     switch (r.term) {
       case Term::win:
         return over && left.enemies == 0 && left.own > 0 ? r.weight : 0;
@@ -137,13 +129,20 @@ double reward(std::span<const Reward> terms, const scenario::Scenario& scenario,
       case Term::alive:
         return lived;
       case Term::nose_on:
-        return fought * (within * (1 - d.off_nose / kPi));
+        if (const double share = within(); share > 0)
+          return fought * (share * (1 - angle_between(own->velocity, sight) / kPi));
+        return 0;
       case Term::advantage:
-        return fought * (within * (d.off_his_nose - d.off_nose) / kPi);
+        if (const double share = within(); share > 0) {
+          const double off_his_nose = angle_between(other->velocity, -sight);
+          return fought * (share * (off_his_nose - angle_between(own->velocity, sight)) / kPi);
+        }
+        return 0;
       case Term::closeness:
-        return fought * within;
+        return fought * within();
       case Term::closing:
-        return fought * std::clamp(d.closing / r.high, -1.0, 1.0);
+        return other ? fought * std::clamp(closing(*own, *other, sight, range) / r.high, -1.0, 1.0)
+                     : 0;
       case Term::low:
         return own ? lived * near_one(own->altitude, r.low, r.high) : 0;
       case Term::formation: {
