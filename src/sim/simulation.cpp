@@ -213,17 +213,22 @@ bool Simulation::fail(const System& system, const Going& one) {
 void Simulation::commit(const Going& one) const {
   World& world = *one.world;
   Workspace& work = *one.work;
+  WriteCheck* const check = work.check_.get();
   CommitContext context(world, work.emitted_);
+  std::span<const Event> events = work.events();
   for (const auto& [system, table] : by_phase_[index_of(Phase::commit)]) {
-    if (work.check_) [[unlikely]]
-      work.check_->begin(world);
-    system->commit(world, one.info, work.events(), context);
-    if (work.check_) [[unlikely]]
-      work.check_->end(world, *system, Phase::commit);
+    if (check) [[unlikely]]
+      check->begin(world);
+    system->commit(world, one.info, events, context);
+    if (check) [[unlikely]]
+      check->end(world, *system, Phase::commit);
+    if (work.emitted_.events().empty()) [[likely]]
+      continue;
     // appended only now: the system was reading the events it was given
     for (const Event& event : work.emitted_.events())
       work.events_.emit(event);
     work.emitted_.clear();
+    events = work.events();
   }
   world.compact();
 }
