@@ -2,7 +2,6 @@
 #pragma once
 /// \file  What an environment keeps from decision to decision, and what a thread needs to step
 /// some.
-#include <deque>
 #include <stdexcept>
 
 #include "pilot/pilot_system.hpp"
@@ -64,9 +63,9 @@ struct VectorEnv::Lane {
   Lane(const scenario::Scenario& scenario, std::size_t most_orders)
       : judge(scenario, scenario.spec.until) {
     for (std::size_t i = 0; i < sim::kMostTogether; ++i)
-      ones.emplace_back(*scenario.simulation, most_orders);
+      ones.push_back(std::make_unique<One>(*scenario.simulation, most_orders));
   }
-  std::deque<One> ones;
+  std::vector<std::unique_ptr<One>> ones;
   scenario::Judge judge;
 };
 

@@ -49,7 +49,7 @@ void VectorEnv::begin(Slot& slot, std::uint64_t seed, Lane& lane) const {
     agent.merit = {};
     std::ranges::fill(agent.votes, -1.0F);
   }
-  Lane::One& one = lane.ones.front();
+  Lane::One& one = *lane.ones.front();
   while (slot.world.step() < lead_ && slot.outcome == scenario::Outcome::running) {
     order(slot, one.orders, nullptr);
     const sim::Stepped step{&slot.world, &one.work, one.orders};
@@ -159,7 +159,7 @@ void VectorEnv::advance(std::span<Slot> group, Lane& lane, const float* actions)
       Slot& slot = group[i];
       if (slot.outcome != scenario::Outcome::running)
         continue;
-      Lane::One& one = lane.ones[count];
+      Lane::One& one = *lane.ones[count];
       order(slot, one.orders, made == 0 ? actions + i * shape_.agents * shape_.action : nullptr);
       steps[count] = {&slot.world, &one.work, one.orders};
       whose[count++] = &slot;
@@ -168,7 +168,7 @@ void VectorEnv::advance(std::span<Slot> group, Lane& lane, const float* actions)
       return;
     scenario_->simulation->step(std::span(steps).first(count));
     for (std::size_t i = 0; i < count; ++i)
-      look(*whose[i], lane.judge, lane.ones[i].work);
+      look(*whose[i], lane.judge, lane.ones[i]->work);
   }
 }
 
@@ -238,13 +238,15 @@ void VectorEnv::judge(Slot& slot, std::size_t env, Lane& lane) {
     out.terminated[first + agent] = one.was_alive && (!one.alive || decided) ? 1 : 0;
     out.truncated[first + agent] = one.alive && over && !decided ? 1 : 0;
   }
-  out.over[env] = over ? 1 : 0;
 
   // what they see: of an episode that is over, and of the one that begins
   float* last = out.last_observations.data() + first * shape_.observation;
   std::uint8_t* last_mask = out.last_masks.data() + first * shape_.action;
-  std::fill_n(last, shape_.agents * shape_.observation, 0.0F);
-  std::fill_n(last_mask, shape_.agents * shape_.action, std::uint8_t{0});
+  if (out.over[env]) {
+    std::fill_n(last, shape_.agents * shape_.observation, 0.0F);
+    std::fill_n(last_mask, shape_.agents * shape_.action, std::uint8_t{0});
+  }
+  out.over[env] = over ? 1 : 0;
   if (over) {
     for (std::size_t agent = 0; agent < shape_.agents; ++agent)
       observe(slot, agent, last + agent * shape_.observation, last_mask + agent * shape_.action);
