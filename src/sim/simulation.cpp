@@ -94,9 +94,12 @@ void Simulation::step(std::span<const Stepped> worlds) const {
   const std::span<Going> going = std::span(places).first(worlds.size());
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     const World& world = *worlds[i].world;
-    going[i] = {worlds[i].world, worlds[i].work,
-                {.step = world.step(), .seed = world.seed(), .dt = dt_}};
-    begin(going[i], worlds[i].orders);
+    going[i] = {
+        worlds[i].world, worlds[i].work, {.step = world.step(), .seed = world.seed(), .dt = dt_}};
+    going[i].work->events_.clear();
+    going[i].work->fault_.reset();
+    if (!worlds[i].orders.empty())
+      apply(worlds[i].orders, going[i]);
   }
   run<&System::perceive>(Phase::perceive, going);
   run<&System::decide>(Phase::decide, going);
@@ -116,11 +119,9 @@ void Simulation::step(std::span<const Stepped> worlds) const {
   }
 }
 
-void Simulation::begin(const Going& one, std::span<const Order> orders) const {
+void Simulation::apply(std::span<const Order> orders, const Going& one) const {
   World& world = *one.world;
   Workspace& work = *one.work;
-  work.events_.clear();
-  work.fault_.reset();
   for (const Order& order : orders) {
     const System* system = handler(order.kind);
     EYRIE_DEMAND(order.step == world.step(), "an order is applied in the step it names");
@@ -146,7 +147,9 @@ void Simulation::run(Phase phase, std::span<const Going> worlds) const {
         run_at_length<kPart>(turn, phase, one, rows);
         continue;
       }
-      [&]() noexcept { (turn.system->*kPart)(*one.world, one.info, {0, rows}, one.work->events_); }();
+      [&]() noexcept {
+        (turn.system->*kPart)(*one.world, one.info, {0, rows}, one.work->events_);
+      }();
       static_cast<void>(failed(*turn.system, one));
     }
 }

@@ -104,7 +104,7 @@ class Simulation {
     Workspace* work;
     StepInfo info;
   };
-  void begin(const Going& one, std::span<const Order> orders) const;
+  void apply(std::span<const Order> orders, const Going& one) const;
   template <auto kPart>
   void run(Phase phase, std::span<const Going> worlds) const;
   /// Rows of several chunks, or in a world where writes are checked.
