@@ -46,6 +46,14 @@ using eyrie::from_ned, eyrie::to_ned;
   return math::atan2(-ned.z, std::sqrt(ned.x * ned.x + ned.y * ned.y));
 }
 
+/// Both, in hardly more time than one.
+[[nodiscard]] inline model::Bearing direction_of(const Vec3& ned) {
+  using Two = math::Lanes<2>;
+  const double level = std::sqrt(ned.x * ned.x + ned.y * ned.y);
+  const Two angles = math::atan2(Two(Two::Vector{ned.y, -ned.z}), Two(Two::Vector{ned.x, level}));
+  return {.azimuth = wrap_pi(angles.v[0]), .elevation = angles.v[1]};
+}
+
 /// m above the ellipsoid of a place `ned` metres away from the ownship. The Earth curves away below
 /// the tangent plane by d2 / 2R: 0.5 m at 2.5 km, 970 m at 60 nmi.
 [[nodiscard]] inline double altitude_of(const model::Kinematics& own, const Vec3& ned) {

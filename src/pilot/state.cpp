@@ -153,7 +153,45 @@ const std::optional<Sight>& State::gun_sight(const Seen& target) const {
                      .off_nose = lead.off_bore,
                      .range = lead.range,
                      .time = lead.flight_time};
+  gun_sight_->body = in_body(gun_sight_->aim);
   return gun_sight_;
+}
+
+model::Bearing State::in_body(const Vec3& ned) const {
+  const model::Axes& axes = body();
+  const Vec3 local = from_ned(own, ned);
+  return direction_of({dot(local, axes.forward), dot(local, axes.right), dot(local, axes.down)});
+}
+
+const LineOfSight& State::line_of_sight(const Seen& one) const {
+  if (line_of_sight_to_ == one.id())
+    return line_of_sight_;
+  line_of_sight_to_ = one.id();
+  // it turns by the part of the velocity across it over the range
+  const Vec3 sight = normalized(one.ned, {1, 0, 0});
+  const Vec3 right = normalized({-sight.y, sight.x, 0}, {0, 1, 0});
+  const Vec3 turning = (velocity_of(one) - velocity_ned) / std::max(one.range, 1.0);
+  line_of_sight_ = {.body = in_body(one.ned),
+                    .right = dot(turning, right),
+                    .up = dot(turning, cross(right, sight))};
+  return line_of_sight_;
+}
+
+const model::Bearing& State::aim() const {
+  const Seen* at = target();
+  const TrackId whom = at ? at->id() : TrackId{};
+  if (aim_ && aim_at_ == whom)
+    return *aim_;
+  aim_at_ = whom;
+  Vec3 ned = normalized(at ? at->ned : velocity_ned, {1, 0, 0});
+  if (at)
+    if (const auto& sight = gun_sight(*at)) {
+      const double reach = library.guns[*type.index.gun].greatest_range;
+      const double near = std::clamp(2 - sight->range / reach, 0.0, 1.0);
+      ned = normalized(ned + near * (sight->aim - ned), ned);
+    }
+  aim_ = direction_of(ned);
+  return *aim_;
 }
 
 const OwnReach& State::own_reach(const Seen& one) const {

@@ -66,6 +66,13 @@ struct Sight {
   double off_nose = 0;  ///< rad, between `aim` and the nose
   double range = 0;     ///< m
   double time = 0;      ///< s, that a round flies
+  model::Bearing body;  ///< rad, of `aim`, as LineOfSight has it
+};
+
+/// How the line of sight to somebody lies and turns, as the pilot sees it.
+struct LineOfSight {
+  model::Bearing body;       ///< rad, off the nose in the plane of the wings, and out of it
+  double right = 0, up = 0;  ///< rad/s, at which it turns
 };
 
 /// Views into the pilot's own rows and what follows from them; good for one decision. Every track
@@ -143,6 +150,11 @@ struct State : Cockpit {
   /// The gun's lead on a target that keeps its velocity (model/weapon/gun.hpp); nothing without a
   /// gun. Found once a decision for the last one asked.
   [[nodiscard]] const std::optional<Sight>& gun_sight(const Seen& target) const;
+  /// Found once a decision for the last one asked.
+  [[nodiscard]] const LineOfSight& line_of_sight(const Seen& one) const;
+  /// To the target, and inside the gun's reach to where its rounds would meet him; between one and
+  /// two reaches from the one to the other. Without a target as one flies. Found once a decision.
+  [[nodiscard]] const model::Bearing& aim() const;
   /// The situation of a launch at a track, from here and now, for model/weapon/launch_zone.hpp.
   [[nodiscard]] model::weapon::LaunchSituation launch_situation(const Seen& target) const;
   /// Angle between the nose and a direction in NED axes, rad in [0, pi].
@@ -154,6 +166,8 @@ struct State : Cockpit {
  private:
   [[nodiscard]] const Seen* find_named(TrackId id) const;
   [[nodiscard]] Vec3 through_air(const Vec3& velocity) const;
+  /// A direction (NED) from the nose in the plane of the wings, and out of it.
+  [[nodiscard]] model::Bearing in_body(const Vec3& ned) const;
   [[nodiscard]] model::weapon::LaunchParty party(const Seen& one) const;
 
   mutable std::optional<model::Axes> body_;
@@ -163,6 +177,10 @@ struct State : Cockpit {
   mutable OwnReach own_reach_;
   mutable TrackId gun_sight_to_;  ///< likewise
   mutable std::optional<Sight> gun_sight_;
+  mutable TrackId line_of_sight_to_;  ///< likewise
+  mutable LineOfSight line_of_sight_;
+  mutable TrackId aim_at_;  ///< likewise
+  mutable std::optional<model::Bearing> aim_;
 };
 
 /// What is in a state, for debriefs.

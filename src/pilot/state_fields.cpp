@@ -19,25 +19,6 @@ double right_of_nose(const State& s, double bearing) {
   return angle_between(s.own.heading, bearing);
 }
 
-/// A direction (NED) in the own body axes: to the nose, the right wing and down.
-Vec3 in_body(const State& s, const Vec3& ned) {
-  const model::Axes& axes = s.body();
-  const Vec3 local = from_ned(s.own, ned);
-  return {dot(local, axes.forward), dot(local, axes.right), dot(local, axes.down)};
-}
-
-/// rad/s, at which the line of sight to a track turns: the part of the velocity across it over the
-/// range, to the right and up as seen from here.
-struct Drift {
-  double right = 0, up = 0;
-};
-Drift drift(const State& s, const Seen& t) {
-  const Vec3 sight = normalized(t.ned, {1, 0, 0});
-  const Vec3 right = normalized({-sight.y, sight.x, 0}, {0, 1, 0});
-  const Vec3 turning = (s.velocity_of(t) - s.velocity_ned) / std::max(t.range, 1.0);
-  return {dot(turning, right), dot(turning, cross(right, sight))};
-}
-
 /// A range over a reach; infinite if there is no reach.
 double over(double range, double reach) {
   return reach > 0 ? range / reach : math::kInfinity;
@@ -208,13 +189,14 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     angle("target_azimuth",
           "the chosen target off the nose in the plane of the wings, in (-180°, 180°], positive "
           "right",
-          of_target([](const State& s, const Seen& t) { return bearing_of(in_body(s, t.ned)); })),
-    angle("target_elevation", "the chosen target out of the plane of the wings, positive up",
-          of_target([](const State& s, const Seen& t) { return elevation_of(in_body(s, t.ned)); })),
+          of_target([](const State& s, const Seen& t) { return s.line_of_sight(t).body.azimuth; })),
+    angle(
+        "target_elevation", "the chosen target out of the plane of the wings, positive up",
+        of_target([](const State& s, const Seen& t) { return s.line_of_sight(t).body.elevation; })),
     number("drift_right", "rad/s", "at which the line of sight to the chosen target turns right",
-           of_target([](const State& s, const Seen& t) { return drift(s, t).right; })),
+           of_target([](const State& s, const Seen& t) { return s.line_of_sight(t).right; })),
     number("drift_up", "rad/s", "at which it turns up",
-           of_target([](const State& s, const Seen& t) { return drift(s, t).up; })),
+           of_target([](const State& s, const Seen& t) { return s.line_of_sight(t).up; })),
     number("over_r_max", "",
            "range of the chosen target over the longest r_max of the missiles on board; infinite "
            "if none reaches him",
@@ -241,9 +223,9 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     flag("supporting", "an own missile on its way needs the radar",
          [](const State& s) -> double { return support_needed(s); }),
     angle("gun_azimuth", "where to aim the gun at the chosen target, as target_azimuth",
-          of_sight([](const State& s, const Sight& g) { return bearing_of(in_body(s, g.aim)); })),
+          of_sight([](const State&, const Sight& g) { return g.body.azimuth; })),
     angle("gun_elevation", "likewise as target_elevation",
-          of_sight([](const State& s, const Sight& g) { return elevation_of(in_body(s, g.aim)); })),
+          of_sight([](const State&, const Sight& g) { return g.body.elevation; })),
     number("over_gun_range", "",
            "range of the chosen target over the farthest that the gun is good for",
            of_sight([](const State& s, const Sight& g) {

@@ -28,21 +28,6 @@ double store_to_release(const State& s) {
   const auto store = target && target->hostile() ? s.own_reach(*target).store : std::nullopt;
   return store ? *store + 1 : 0;
 }
-/// Unit vector, north-east-down: to the target, and inside the gun's reach to where its rounds
-/// would meet him; between one and two reaches from the one to the other. Without a target as one
-/// flies.
-Vec3 aim_of(const State& s) {
-  const Seen* target = s.target();
-  if (!target)
-    return normalized(s.velocity_ned, {1, 0, 0});
-  const Vec3 sight = normalized(target->ned, {1, 0, 0});
-  const auto& gun = s.gun_sight(*target);
-  if (!gun)
-    return sight;
-  const double reach = s.library.guns[*s.type.index.gun].greatest_range;
-  const double near = std::clamp(2 - gun->range / reach, 0.0, 1.0);
-  return normalized(sight + near * (gun->aim - sight), sight);
-}
 /// As shoot_gun with its defaults would fire.
 double gun_bears(const State& s) {
   const Seen* target = s.target();
@@ -90,10 +75,10 @@ constexpr std::array kTypes = std::to_array<ControlType>({
     {"aim_right",
      "heading to fly, from that of the line to the target (inside the gun's reach: to where its "
      "rounds would meet him), positive right; without a target from the own one",
-     Manual::kHeading, [](const State& s) { return bearing_of(aim_of(s)); }, turn_to, "rad", -kPi,
+     Manual::kHeading, [](const State& s) { return s.aim().azimuth; }, turn_to, "rad", -kPi,
      kPi},
     {"aim_up", "direction to fly to above the horizon, from that line, positive up", kVertical,
-     [](const State& s) { return elevation_of(aim_of(s)); }, climb_by, "rad", -kSteepest,
+     [](const State& s) { return s.aim().elevation; }, climb_by, "rad", -kSteepest,
      kSteepest},
     {"altitude", "to fly", kVertical, nowhere, climb_to, "m", 0, 25e3},
     {"altitude_change", "altitude to fly, from the own one", kVertical,
