@@ -80,6 +80,19 @@ TEST(VectorEnv, BeginsWithWhatAPilotPerceives) {
   EXPECT_GT(first("sweep", "alive"), 0.5F);
 }
 
+/// Also the controls start from what is observed, before the first reset too.
+TEST(VectorEnv, IsAsNewAfterAReset) {
+  VectorEnv env(brief("merge", 15), scenario::Source::disk("."), {.envs = 2, .seed = 3});
+  const auto results = env.results();
+  const std::vector<float> actions(results->masks.size(), 0.25F), shown = results->observations;
+  env.step(actions);
+  const std::vector<float> stepped = results->observations;
+  env.reset(3);
+  EXPECT_EQ(results->observations, shown);
+  env.step(actions);
+  EXPECT_EQ(results->observations, stepped);
+}
+
 TEST(VectorEnv, GivesTheSameBitsForAnyNumberOfWorkers) {
   std::vector<std::vector<float>> first;
   for (const unsigned workers : {1U, 2U, 5U}) {
