@@ -85,7 +85,9 @@ class Jamming {
     items_[count_++] = jam;
   }
 
-  std::array<Jam, 32> items_;
+  union {  // not of zeros: mostly nobody jams
+    std::array<Jam, 32> items_;
+  };
   std::size_t count_ = 0;
   const Radar& radar_;
 };

@@ -52,7 +52,9 @@ class KnownDirections {
     double held_range = 0;  ///< m; 0 if it is not held
     About about = About::aircraft;
   };
-  std::array<Known, kMaxTracks + kMaxThreats> known_;
+  union {  // not of zeros: most are never used
+    std::array<Known, kMaxTracks + kMaxThreats> known_;
+  };
   std::size_t count_ = 0;
   double cos_cue_, hold_time_;
   const Eyes& eyes_;
