@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -100,7 +101,7 @@ struct Loop {
       if (dynamics == flight::Dynamics::laero)
         flight::fly_laero(sky, flyer);
       else
-        flight::fly(sky, std::span(&flyer, 1));
+        flight::fly(sky, std::array{&flyer});
       benchmark::DoNotOptimize(flyer.ran_dry);
     }
     time += kDt;

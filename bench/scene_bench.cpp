@@ -82,7 +82,7 @@ void bare_loop(benchmark::State& state) {
                                  .command = &command[i],
                                  .routes = library.flights[fit[i].flight].routes,
                                  .time = time};
-      model::flight::fly({library.reference, library.environment, 0.02}, std::span(&flyer, 1));
+      model::flight::fly({library.reference, library.environment, 0.02}, std::array{&flyer});
       benchmark::DoNotOptimize(flyer.ran_dry);
     }
     time += 0.02;
