@@ -2,7 +2,6 @@
 #include "model/weapon/launch_zone.hpp"
 
 #include <atomic>
-#include <cstring>
 
 #include "core/executor.hpp"
 #include "model/signature.hpp"
@@ -261,24 +260,24 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
   const GridCell speeds[] = {place(kShooterSpeed, s.shooter_speed),
                              place(kTargetSpeed, s.target_speed),
                              place(kOffBoresight, s.off_boresight / farthest_off_)};
-  // the eight neighbors along the three inner axes: where each pair lies and what each weighs
-  using Four = float __attribute__((vector_size(16)));
-  std::array<std::size_t, 4> offset;
-  std::array<Four, 2> inner;
+  // the eight neighbors along the three inner axes: where they lie and what each weighs
+  std::array<std::size_t, 8> offset;
+  std::array<float, 8> inner;
   for (std::size_t i = 0; i < 8; ++i) {
     const std::size_t a = i >> 2, b = (i >> 1) & 1, c = i & 1;
-    offset[i / 2] =
+    offset[i] =
         ((speeds[0].index + a) * kTargetSpeed.size() + speeds[1].index + b) * kOffBoresight.size() +
-        speeds[2].index;
-    inner[a][static_cast<int>(i % 4)] =
-        speeds[0].weight(a != 0) * speeds[1].weight(b != 0) * speeds[2].weight(c != 0);
+        speeds[2].index + c;
+    inner[i] = speeds[0].weight(a != 0) * speeds[1].weight(b != 0) * speeds[2].weight(c != 0);
   }
   const GridCell aspect = place(kAspect, s.aspect);
   const GridCell altitude = place(kAltitude, s.shooter_altitude);
   const GridCell climb = place(kClimb, s.target_altitude - s.shooter_altitude);
-  // r_max, r_tr, r_ne and r_min side by side: two cells are read at once, then zero-extended
+  // r_max, r_tr, r_ne and r_min side by side: a cell is read at once, its numbers zero-extended
+  using Four = float __attribute__((vector_size(16)));
   using Whole = std::int32_t __attribute__((vector_size(16)));
   using Eight = std::uint16_t __attribute__((vector_size(16)));
+  using Long = std::uint64_t __attribute__((vector_size(16)));
   static_assert(std::endian::native == std::endian::little);
   Four ranges{};
   for (std::size_t o = 0; o < 8; ++o) {
@@ -286,19 +285,12 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
     const float weight = aspect.weight(a != 0) * altitude.weight(b != 0) * climb.weight(c != 0);
     const std::size_t row = (aspect.index + a) * kAltitude.size() + altitude.index + b;
     const ZoneTable::Cell* cells = &table_->cells[(row * kClimb.size() + climb.index + c) * kInner];
-    const float unit = ZoneTable::kUnit;
-    const std::array<Four, 2> weights{weight * inner[0] * unit, weight * inner[1] * unit};
-    for (std::size_t i = 0; i < 4; ++i) {
-      Eight both;
-      std::memcpy(&both, cells + offset[i], sizeof both);
-      const auto first =
-          std::bit_cast<Whole>(__builtin_shufflevector(both, Eight{}, 0, 8, 1, 9, 2, 10, 3, 11));
-      const auto second =
-          std::bit_cast<Whole>(__builtin_shufflevector(both, Eight{}, 4, 12, 5, 13, 6, 14, 7, 15));
-      const Four& of = weights[i / 2];
-      const int place = static_cast<int>(i % 2 * 2);
-      ranges += of[place] * __builtin_convertvector(first, Four);
-      ranges += of[place + 1] * __builtin_convertvector(second, Four);
+    for (std::size_t i = 0; i < 8; ++i) {
+      const auto cell = std::bit_cast<Eight>(Long{std::bit_cast<std::uint64_t>(cells[offset[i]])});
+      const auto units =
+          std::bit_cast<Whole>(__builtin_shufflevector(cell, Eight{}, 0, 8, 1, 9, 2, 10, 3, 11));
+      ranges += weight * inner[i] * static_cast<float>(ZoneTable::kUnit) *
+                __builtin_convertvector(units, Four);
     }
   }
   double seen = kFarthest;
