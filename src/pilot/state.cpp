@@ -140,21 +140,22 @@ const Reach& State::reach_of(const Seen& one) const {
 }
 
 const std::optional<Sight>& State::gun_sight(const Seen& target) const {
-  if (!type.index.gun || gun_sight_to_ == target.id())
-    return gun_sight_;
-  gun_sight_to_ = target.id();
-  model::Kinematics believed;
-  believed.position = position_at(*target.track, time);
-  believed.velocity = target.track->velocity;
-  const double density = library.environment.atmosphere.at(own.altitude).density;
-  const model::weapon::Lead lead =
-      model::weapon::lead_on(library.guns[*type.index.gun], density, own, body().forward, believed);
-  gun_sight_ = Sight{.aim = to_ned(own, lead.direction),
-                     .off_nose = lead.off_bore,
-                     .range = lead.range,
-                     .time = lead.flight_time};
-  gun_sight_->body = in_body(gun_sight_->aim);
-  return gun_sight_;
+  return gun_sight_.about(target.id(), [&]() -> std::optional<Sight> {
+    if (!type.index.gun)
+      return std::nullopt;
+    model::Kinematics believed;
+    believed.position = position_at(*target.track, time);
+    believed.velocity = target.track->velocity;
+    const double density = library.environment.atmosphere.at(own.altitude).density;
+    const model::weapon::Lead lead = model::weapon::lead_on(library.guns[*type.index.gun], density,
+                                                            own, body().forward, believed);
+    const Vec3 aim = to_ned(own, lead.direction);
+    return Sight{.aim = aim,
+                 .off_nose = lead.off_bore,
+                 .range = lead.range,
+                 .time = lead.flight_time,
+                 .body = in_body(aim)};
+  });
 }
 
 model::Bearing State::in_body(const Vec3& ned) const {
@@ -164,61 +165,56 @@ model::Bearing State::in_body(const Vec3& ned) const {
 }
 
 const LineOfSight& State::line_of_sight(const Seen& one) const {
-  if (line_of_sight_to_ == one.id())
-    return line_of_sight_;
-  line_of_sight_to_ = one.id();
-  // it turns by the part of the velocity across it over the range
-  const Vec3 sight = normalized(one.ned, {1, 0, 0});
-  const Vec3 right = normalized({-sight.y, sight.x, 0}, {0, 1, 0});
-  const Vec3 turning = (velocity_of(one) - velocity_ned) / std::max(one.range, 1.0);
-  line_of_sight_ = {.body = in_body(one.ned),
-                    .right = dot(turning, right),
-                    .up = dot(turning, cross(right, sight))};
-  return line_of_sight_;
+  return line_of_sight_.about(one.id(), [&] {
+    // it turns by the part of the velocity across it over the range
+    const Vec3 sight = normalized(one.ned, {1, 0, 0});
+    const Vec3 right = normalized({-sight.y, sight.x, 0}, {0, 1, 0});
+    const Vec3 turning = (velocity_of(one) - velocity_ned) / std::max(one.range, 1.0);
+    return LineOfSight{.body = in_body(one.ned),
+                       .right = dot(turning, right),
+                       .up = dot(turning, cross(right, sight))};
+  });
 }
 
-const model::Bearing& State::aim() const {
+model::Bearing State::aim() const {
   const Seen* at = target();
-  const TrackId whom = at ? at->id() : TrackId{};
-  if (aim_ && aim_at_ == whom)
-    return *aim_;
-  aim_at_ = whom;
-  Vec3 ned = normalized(at ? at->ned : velocity_ned, {1, 0, 0});
-  if (at)
-    if (const auto& sight = gun_sight(*at)) {
-      const double reach = library.guns[*type.index.gun].greatest_range;
-      const double near = std::clamp(2 - sight->range / reach, 0.0, 1.0);
-      ned = normalized(ned + near * (sight->aim - ned), ned);
-    }
-  aim_ = direction_of(ned);
-  return *aim_;
+  if (!at)
+    return direction_of(normalized(velocity_ned, {1, 0, 0}));
+  return aim_.about(at->id(), [&] {
+    const Vec3 ned = normalized(at->ned, {1, 0, 0});
+    const auto& sight = gun_sight(*at);
+    if (!sight)
+      return direction_of(ned);
+    const double reach = library.guns[*type.index.gun].greatest_range;
+    const double near = std::clamp(2 - sight->range / reach, 0.0, 1.0);
+    return direction_of(normalized(ned + near * (sight->aim - ned), ned));
+  });
 }
 
 const OwnReach& State::own_reach(const Seen& one) const {
-  if (own_reach_to_ == one.id())
-    return own_reach_;
-  own_reach_to_ = one.id();
-  own_reach_ = {};
-  const auto situation = launch_situation(one);
-  double shortest = math::kInfinity;
-  std::bitset<256> tried;
-  for (const model::Station& station : stores.stations) {
-    if (station.store == 0 || station.count == 0 || tried[station.store])
-      continue;
-    tried.set(station.store);
-    const auto store = static_cast<std::uint16_t>(station.store - 1);
-    const model::weapon::EmploymentZone zone = library.missiles[store].zone.at(situation);
-    if (!zone.possible())
-      continue;
-    own_reach_.r_max = std::max(own_reach_.r_max, zone.r_max);
-    own_reach_.r_ne = std::max(own_reach_.r_ne, zone.r_ne);
-    if (one.range >= zone.r_min && one.range <= zone.r_max && zone.r_max < shortest &&
-        model::weapon::can_release(stores, store, time)) {
-      shortest = zone.r_max;
-      own_reach_.store = store;
+  return own_reach_.about(one.id(), [&] {
+    OwnReach reach;
+    const auto situation = launch_situation(one);
+    double shortest = math::kInfinity;
+    std::bitset<256> tried;
+    for (const model::Station& station : stores.stations) {
+      if (station.store == 0 || station.count == 0 || tried[station.store])
+        continue;
+      tried.set(station.store);
+      const auto store = static_cast<std::uint16_t>(station.store - 1);
+      const model::weapon::EmploymentZone zone = library.missiles[store].zone.at(situation);
+      if (!zone.possible())
+        continue;
+      reach.r_max = std::max(reach.r_max, zone.r_max);
+      reach.r_ne = std::max(reach.r_ne, zone.r_ne);
+      if (one.range >= zone.r_min && one.range <= zone.r_max && zone.r_max < shortest &&
+          model::weapon::can_release(stores, store, time)) {
+        shortest = zone.r_max;
+        reach.store = store;
+      }
     }
-  }
-  return own_reach_;
+    return reach;
+  });
 }
 
 double State::off_nose(const Vec3& ned) const {

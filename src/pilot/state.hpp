@@ -38,6 +38,25 @@ struct OwnReach {
   std::optional<std::uint16_t> store;
 };
 
+/// What was found about one track in this decision, for who asks about the same one again.
+template <typename T>
+class LastAsked {
+ public:
+  /// What `find()` returns, which is called if the last one asked about was another.
+  template <typename Find>
+  const T& about(TrackId whom, Find find) const {
+    if (whom_ != whom) {
+      whom_ = whom;
+      found_ = find();
+    }
+    return found_;
+  }
+
+ private:
+  mutable TrackId whom_;  ///< whom found_ is about
+  mutable T found_{};
+};
+
 /// The rows of one aircraft that its pilot reads.
 struct Cockpit {
   const model::Kinematics& own;
@@ -153,8 +172,8 @@ struct State : Cockpit {
   /// Found once a decision for the last one asked.
   [[nodiscard]] const LineOfSight& line_of_sight(const Seen& one) const;
   /// To the target, and inside the gun's reach to where its rounds would meet him; between one and
-  /// two reaches from the one to the other. Without a target as one flies. Found once a decision.
-  [[nodiscard]] const model::Bearing& aim() const;
+  /// two reaches from the one to the other. Without a target as one flies.
+  [[nodiscard]] model::Bearing aim() const;
   /// The situation of a launch at a track, from here and now, for model/weapon/launch_zone.hpp.
   [[nodiscard]] model::weapon::LaunchSituation launch_situation(const Seen& target) const;
   /// Angle between the nose and a direction in NED axes, rad in [0, pi].
@@ -173,14 +192,10 @@ struct State : Cockpit {
   mutable std::optional<model::Axes> body_;
   mutable std::uint32_t reaches_found_ = 0;  ///< bit i: of seen[i]
   mutable std::array<Reach, model::kMaxTracks> reaches_;
-  mutable TrackId own_reach_to_;  ///< whom own_reach_ is about
-  mutable OwnReach own_reach_;
-  mutable TrackId gun_sight_to_;  ///< likewise
-  mutable std::optional<Sight> gun_sight_;
-  mutable TrackId line_of_sight_to_;  ///< likewise
-  mutable LineOfSight line_of_sight_;
-  mutable TrackId aim_at_;  ///< likewise
-  mutable std::optional<model::Bearing> aim_;
+  LastAsked<OwnReach> own_reach_;
+  LastAsked<std::optional<Sight>> gun_sight_;
+  LastAsked<LineOfSight> line_of_sight_;
+  LastAsked<model::Bearing> aim_;
 };
 
 /// What is in a state, for debriefs.
