@@ -55,7 +55,7 @@ struct Stepped {
   Workspace* work = nullptr;
   std::span<const Order> orders = {};
 };
-inline constexpr std::size_t kMostTogether = 8;
+inline constexpr std::size_t kMostTogether = 32;
 
 /// Everything that does not change: the schema, the systems in their order and the length of a
 /// step. Shared by any number of worlds and threads.

@@ -10,7 +10,7 @@
 namespace eyrie::model::flight {
 namespace {
 
-constexpr std::size_t kAbreast = 16;
+constexpr std::size_t kAbreast = 32;
 
 std::size_t station_index(const weapon::Station& station) {
   return station.store * std::size_t{256} + station.count;
