@@ -218,6 +218,7 @@ struct Read {
 };
 constexpr Read kFar{Dimension::length, "nmi", "km", 1};
 constexpr Read kNear{Dimension::length, "ft", "m"};
+constexpr Read kClimb{Dimension::speed, "ft/min", "m/s"};
 constexpr Read kRead[] = {
     {Dimension::speed, "kt", "km/h"},
     {Dimension::acceleration, "g", "g", 1},
@@ -314,6 +315,10 @@ std::string format_range(double meters, int more) {
 
 std::string format_height(double meters, int more) {
   return format_as(kNear, meters, more);
+}
+
+std::string format_climb(double meters_per_second, int more) {
+  return format_as(kClimb, meters_per_second, more);
 }
 
 std::string format_direction(double radians, int more) {

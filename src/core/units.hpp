@@ -231,6 +231,8 @@ void write_units(UnitSystem system);
 [[nodiscard]] std::string format_range(double meters, int more = 0);
 /// A height, in feet or meters however large it is: "36000 ft".
 [[nodiscard]] std::string format_height(double meters, int more = 0);
+/// A speed up or down: "1500 ft/min", or "8 m/s".
+[[nodiscard]] std::string format_climb(double meters_per_second, int more = 0);
 /// A direction over the ground, clockwise from north: "075°", from 000 to 359.
 [[nodiscard]] std::string format_direction(double radians, int more = 0);
 /// An angle from the nose in the plane of the horizon, positive to the right: "35° right".

@@ -295,6 +295,7 @@ TEST(FormatQuantity, ReadsAsOnThePageInEitherSystem) {
     const auto written = [&](UnitSystem system) {
       write_units(system);
       return kind == "height"      ? format_height(si)
+             : kind == "climb"     ? format_climb(si)
              : kind == "direction" ? format_direction(si)
              : kind == "side"      ? format_side(si)
              : kind == "1"         ? format_quantity(si, Dimension::none)

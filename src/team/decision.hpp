@@ -95,8 +95,8 @@ struct Decision {
 };
 
 /// "045°", "6000 ft", "467 kt"; "-" for no value, "never" for infinity. Headings and bearings are
-/// directions, from 000 to 359; heights are in feet however large they are. With so many more
-/// decimals.
+/// directions, from 000 to 359; heights are in feet however large they are, climbs in feet per
+/// minute. With so many more decimals.
 [[nodiscard]] inline std::string number_text(std::string_view name, Dimension dimension,
                                              double number, int more = 0) {
   if (std::isnan(number))
@@ -104,8 +104,10 @@ struct Decision {
   if (std::isinf(number))
     return "never";
   const bool height = name.find("altitude") != name.npos || name.find("above") != name.npos;
+  const bool climb = name == "climb_rate" || name == "excess_power";
   const bool direction = name == "heading" || name == "bearing" || name == "course";
   return height                                       ? format_height(number, more)
+         : climb                                      ? format_climb(number, more)
          : direction && dimension == Dimension::angle ? format_direction(number, more)
                                                       : format_quantity(number, dimension, more);
 }

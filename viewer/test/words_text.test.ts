@@ -32,7 +32,7 @@ test('quantities read as in the terminal, in either system', () => {
   assert.ok(lines.length > 20);
   for (const line of lines) {
     const [, kind, si, aviation, metric] = /^(\S+) +(\S+) +\| (.*?) +\| (.*)$/.exec(line)!;
-    const field = { height: { name: 'altitude', unit: 'm' }, direction: { name: 'heading', unit: 'rad' }, 1: {} }[kind!] ?? { unit: kind! };
+    const field = { height: { name: 'altitude', unit: 'm' }, climb: { name: 'climb_rate', unit: 'm/s' }, direction: { name: 'heading', unit: 'rad' }, 1: {} }[kind!] ?? { unit: kind! };
     const said = () => (kind === 'side' ? side_text(Number(si)) : text(field, Number(si)));
     speak('metric');
     assert.equal(said(), metric, line);

@@ -12,6 +12,7 @@ interface System {
   /** Of lengths: from one of the first on, that; below, and for heights, the other. */
   far: Unit;
   near: Unit;
+  climb: Unit;  // Of speeds up and down.
   others: Readonly<Record<string, Unit>>;  // By unit of SI.
 }
 
@@ -22,11 +23,11 @@ const kBoth: Record<string, Unit> = {
 /** As in src/core/units.cpp: tests/quantities.txt holds both to it. */
 const kSystems = {
   aviation: {
-    far: ['nmi', 1852, 1, 1], near: ['ft', 3048, 10000],
+    far: ['nmi', 1852, 1, 1], near: ['ft', 3048, 10000], climb: ['ft/min', 3048, 600000],
     others: { ...kBoth, 'm/s': ['kt', 1852, 3600], kg: ['lb', 45359237, 1e8], 'kg/s': ['lb/h', 45359237, 3600e8], N: ['lbf', 44482216152605, 1e13] },
   },
   metric: {
-    far: ['km', 1000, 1, 1], near: ['m', 1],
+    far: ['km', 1000, 1, 1], near: ['m', 1], climb: ['m/s', 1],
     others: { ...kBoth, 'm/s': ['km/h', 1000, 3600], kg: ['kg', 1], 'kg/s': ['kg/h', 1, 3600], N: ['kN', 1000] },
   },
 } satisfies Record<string, System>;
@@ -84,16 +85,16 @@ export function side_text(rad: number): string {
 }
 
 /** How files and the engine write units: of which kind each is. */
-const kWritten = new Map<string, [kind: string, unit: Unit]>(Object.values(kSystems).flatMap(({ far, near, others }) =>
-  [...Object.entries({ far, near, ...others, rad: ['deg', Math.PI / 180] as const, 'rad/s': ['deg/s', Math.PI / 180] as const }),
+const kWritten = new Map<string, [kind: string, unit: Unit]>(Object.values(kSystems).flatMap(({ others, ...own }) =>
+  [...Object.entries({ ...own, ...others, rad: ['deg', Math.PI / 180] as const, 'rad/s': ['deg/s', Math.PI / 180] as const }),
     ...['m/s', 'm/s2', 'rad', 'rad/s'].map((si): [string, Unit] => [si, [si, 1]])]
     .map(([kind, unit]): [string, [string, Unit]] => [unit[0], [kind, unit]])));
 const kQuantity = new RegExp(`(\\d+(?:\\.\\d+)?) (${[...kWritten.keys()].join('|')})(?![\\w/])`, 'g');
 
 /** Words of the engine, and of files, in the units that people read. */
 export function reworded(text: string): string {
-  const { far, near, others } = spoken();
-  const spoken_of: Readonly<Record<string, Unit>> = { far, near, ...others };
+  const { others, ...own } = spoken();
+  const spoken_of: Readonly<Record<string, Unit>> = { ...own, ...others };
   return text.replace(kQuantity, (said, number: string, symbol: string) => {
     const [kind, unit] = kWritten.get(symbol)!;
     const wanted = spoken_of[kind]!;
@@ -117,6 +118,7 @@ export function value_text(run: Run, { name, unit, kind, choices }: FieldInfo, v
       return value ? `#${value}` : 'nobody';
     default:
       if (unit === 'rad' && /^(heading|bearing|course)$/.test(name)) return heading_text(value);
+      if (/^(climb_rate|excess_power)$/.test(name)) return in_unit(value, spoken().climb);
       return /altitude|above/.test(name) ? height_text(value) : quantity_text(value, unit);
   }
 }
