@@ -12,7 +12,7 @@ import { open_url, type UserPage } from './browsers.ts';
 import { kNoProgram, kProgram, launch, on_page, scratch_folder, serve, shoot } from './page_kit.ts';
 
 const folder = kNoProgram ? '' : scratch_folder();
-let browser: Browser, program: ChildProcess, page: UserPage;
+let browser: Browser, program: ChildProcess, taken: ChildProcess, page: UserPage;
 let address = '';
 let complaints: string[] = [];
 
@@ -25,7 +25,7 @@ before(async () => {
 });
 after(async () => {
   await browser?.close();
-  program?.kill('SIGKILL');
+  for (const mission of [program, taken]) mission?.kill('SIGKILL');
 });
 
 const time = (): Promise<number> => page.evaluate(() => window.eyrie!.store.get().time);
@@ -129,7 +129,8 @@ const take_over = (page: UserPage): Promise<void> => page.$$eval('.orders button
 test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kNoProgram }, async () => {
   // a missile soon reaches somebody, however far a page on a busy machine lags behind
   const own = scratch_folder();
-  const { program, address } = await serve(['sweep', '--set', 'blue.flights.eagle.start.east=30 nmi', '--paused'], own);
+  const { program: mission, address } = await serve(['sweep', '--set', 'blue.flights.eagle.start.east=30 nmi', '--paused'], own);
+  taken = mission;  // ended below, or after a failure with the other
   const { page, complaints } = await open_url(browser, address, { width: 1280, height: 800 });
   await page.waitForSelector('body[data-ready=true]');
   await page.keyboard.press(' ');
@@ -168,14 +169,15 @@ test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kN
   await page.evaluate(() => { navigator.getGamepads = () => []; });
   await page.keyboard.press('s');
   // there is a target once the radar has found one, and a shot once it is in reach
-  while (await page.$eval('.acts button:nth-child(2)', (shoot) => (shoot as HTMLButtonElement).disabled)) {
-    await page.keyboard.press('t');
-    await wait(200);
-  }
-  while (await page.evaluate(() => !window.eyrie!.run.missiles.some(({ shooter }) => shooter === 0))) {
-    await page.keyboard.press(' ');
-    await wait(200);
-  }
+  const press_until = async (key: 't' | ' ', is_done: () => boolean): Promise<void> => {
+    for (let times = 0; !(await page.evaluate(is_done)); ++times) {
+      assert.ok(times < 400, `'${key}' does nothing`);
+      await page.keyboard.press(key);
+      await wait(200);
+    }
+  };
+  await press_until('t', () => !document.querySelector<HTMLButtonElement>('.acts button:nth-child(2)')!.disabled);
+  await press_until(' ', () => window.eyrie!.run.missiles.some(({ shooter }) => shooter === 0));
   await wait(1200);
   assert.ok(await is_same(page));
   await shoot(page, 'live_taken_1280');
@@ -189,7 +191,7 @@ test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kN
   await told(page, 'is handed back');
   assert.equal(await page.$('.seat'), null);
   await page.close();
-  await replays(program, own, complaints);
+  await replays(mission, own, complaints);
 });
 
 test('what if is asked anew once it is over, of all that was decided', { skip: kNoProgram }, async () => {
