@@ -12,7 +12,7 @@ import { open_url, type UserPage } from './browsers.ts';
 import { kNoProgram, kProgram, launch, on_page, scratch_folder, serve, shoot } from './page_kit.ts';
 
 const folder = kNoProgram ? '' : scratch_folder();
-let browser: Browser, program: ChildProcess, taken: ChildProcess, page: UserPage;
+let browser: Browser, program: ChildProcess, page: UserPage;
 let address = '';
 let complaints: string[] = [];
 
@@ -25,7 +25,7 @@ before(async () => {
 });
 after(async () => {
   await browser?.close();
-  for (const mission of [program, taken]) mission?.kill('SIGKILL');
+  program?.kill('SIGKILL');
 });
 
 const time = (): Promise<number> => page.evaluate(() => window.eyrie!.store.get().time);
@@ -126,12 +126,15 @@ async function replays(mission: ChildProcess, within: string, complaints: string
 
 const take_over = (page: UserPage): Promise<void> => page.$$eval('.orders button', (all) => (all.find((one) => one.textContent === 'Take over') as HTMLElement).click());
 
-test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kNoProgram }, async () => {
+test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kNoProgram }, async (t) => {
   // a missile soon reaches somebody, however far a page on a busy machine lags behind
   const own = scratch_folder();
   const { program: mission, address } = await serve(['sweep', '--set', 'blue.flights.eagle.start.east=30 nmi', '--paused'], own);
-  taken = mission;  // ended below, or after a failure with the other
   const { page, complaints } = await open_url(browser, address, { width: 1280, height: 800 });
+  t.after(async () => {
+    await page.close();
+    mission.kill('SIGKILL');
+  });
   await page.waitForSelector('body[data-ready=true]');
   await page.keyboard.press(' ');
   await page.keyboard.press('1');
@@ -190,7 +193,6 @@ test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kN
   await page.keyboard.press('h');
   await told(page, 'is handed back');
   assert.equal(await page.$('.seat'), null);
-  await page.close();
   await replays(mission, own, complaints);
 });
 
