@@ -59,10 +59,10 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
       CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE_PROGRAM})
 endif()
 
-# one file is compiled for AVX2 and called where the processor has it (src/model/flight/abreast.hpp); the bits are the same
-function(eyrie_avx2 source)
+# a file that is compiled for some processors and called where there is one (src/model/flight/abreast.hpp); the bits are the same
+function(eyrie_lanes source)
   set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -mavx2)
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${ARGN}")
   endif()
 endfunction()

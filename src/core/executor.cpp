@@ -14,9 +14,10 @@ namespace eyrie {
 namespace {
 
 constexpr unsigned kMostWorkers = 256;
-// The phases of one step follow each other within microseconds; falling asleep and waking up costs
-// more than that. About 20 us on current x86-64.
-constexpr int kSpins = 512;
+// The phases of one step follow each other within microseconds, and what workers share out of a
+// tenth of a millisecond differs by tens of them; falling asleep and waking up costs more than
+// that. 50 to 80 us on current x86-64.
+constexpr int kSpins = 2048;
 
 void pause() {
 #if defined(__x86_64__)

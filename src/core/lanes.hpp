@@ -21,20 +21,11 @@ namespace eyrie::math {
 
 /// Vectors of the compiler.
 template <std::size_t N>
-struct LaneTypes;
-template <>
-struct LaneTypes<2> {
-  using Reals = double __attribute__((vector_size(16)));
-  using Mask = std::int64_t __attribute__((vector_size(16)));
-  using Whole = std::int32_t __attribute__((vector_size(8)));
-  using Bits = std::uint64_t __attribute__((vector_size(16)));
-};
-template <>
-struct LaneTypes<4> {
-  using Reals = double __attribute__((vector_size(32)));
-  using Mask = std::int64_t __attribute__((vector_size(32)));
-  using Whole = std::int32_t __attribute__((vector_size(16)));
-  using Bits = std::uint64_t __attribute__((vector_size(32)));
+struct LaneTypes {
+  using Reals [[gnu::vector_size(8 * N)]] = double;
+  using Mask [[gnu::vector_size(8 * N)]] = std::int64_t;
+  using Whole [[gnu::vector_size(4 * N)]] = std::int32_t;
+  using Bits [[gnu::vector_size(8 * N)]] = std::uint64_t;
 };
 
 /// What a comparison of lanes says of each.
@@ -119,18 +110,34 @@ Real each_lane(Of of) {
 
 namespace detail {
 
-/// Row by row becomes column by column, and back.
-template <class Four>
-void transpose(const Four& a, const Four& b, const Four& c, const Four& d, auto put) {
-  const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-  const Four ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Four cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Four cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  put(0, __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5));
-  put(1, __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5));
-  put(2, __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7));
-  put(3, __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7));
+/// Of two vectors in each four lanes the numbers of these indices: 0 to 3 are those of the first.
+template <std::size_t... kOf, class Vector>
+Vector shuffled(const Vector& a, const Vector& b) {
+  constexpr std::size_t kCount = sizeof(Vector) / sizeof(double);
+  constexpr auto index = [](std::size_t lane) {
+    const std::size_t of = std::array{kOf...}[lane % 4];
+    return of % 4 + of / 4 * kCount + lane / 4 * 4;
+  };
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return __builtin_shufflevector(a, b, index(I)...);
+  }
+  (std::make_index_sequence<kCount>{});
 }
+
+/// Row by row becomes column by column, and back, in each four lanes.
+template <class Vector>
+void transpose(const Vector& a, const Vector& b, const Vector& c, const Vector& d, auto put) {
+  const Vector ab_even = shuffled<0, 4, 2, 6>(a, b), ab_odd = shuffled<1, 5, 3, 7>(a, b);
+  const Vector cd_even = shuffled<0, 4, 2, 6>(c, d), cd_odd = shuffled<1, 5, 3, 7>(c, d);
+  put(0, shuffled<0, 1, 4, 5>(ab_even, cd_even));
+  put(1, shuffled<0, 1, 4, 5>(ab_odd, cd_odd));
+  put(2, shuffled<2, 3, 6, 7>(ab_even, cd_even));
+  put(3, shuffled<2, 3, 6, 7>(ab_odd, cd_odd));
+}
+
+/// Lanes by fours.
+template <std::size_t N>
+using Fours = std::array<typename Lanes<4>::Vector, N / 4>;
 
 /// Calls use(first) for each four of so many numbers; the last four may overlap those before.
 template <std::size_t kNumbers>
@@ -155,14 +162,15 @@ To to_lanes(const std::array<Row*, kCount>& rows) {
     To to;
     Vector* const all = reinterpret_cast<Vector*>(&to);
     const auto numbers = [&](auto i) { return reinterpret_cast<const double*>(rows[i]); };
-    if constexpr (kCount == 4 && kNumbers >= 4)
+    if constexpr (kCount >= 4 && kNumbers >= 4)
       detail::each_four<kNumbers>([&](std::size_t first) {
-        const auto four = [&](std::size_t i) {
-          Vector row;
-          std::memcpy(&row, numbers(i) + first, sizeof row);
-          return row;
+        const auto rows_of = [&](std::size_t i) {
+          detail::Fours<kCount> fours;
+          for (std::size_t n = 0; n < fours.size(); ++n)
+            std::memcpy(&fours[n], numbers(4 * n + i) + first, sizeof fours[n]);
+          return std::bit_cast<Vector>(fours);
         };
-        detail::transpose(four(0), four(1), four(2), four(3),
+        detail::transpose(rows_of(0), rows_of(1), rows_of(2), rows_of(3),
                           [&](std::size_t i, const Vector& column) { all[first + i] = column; });
       });
     else
@@ -182,11 +190,13 @@ void from_lanes(const From& from, const std::array<Row*, kCount>& rows) {
     using Vector = typename Lanes<kCount>::Vector;
     const Vector* const all = reinterpret_cast<const Vector*>(&from);
     const auto numbers = [&](auto i) { return reinterpret_cast<double*>(rows[i]); };
-    if constexpr (kCount == 4 && kNumbers >= 4)
+    if constexpr (kCount >= 4 && kNumbers >= 4)
       detail::each_four<kNumbers>([&](std::size_t first) {
         detail::transpose(all[first], all[first + 1], all[first + 2], all[first + 3],
-                          [&](std::size_t i, const Vector& row) {
-                            std::memcpy(numbers(i) + first, &row, sizeof row);
+                          [&](std::size_t i, const Vector& rows_of) {
+                            const auto fours = std::bit_cast<detail::Fours<kCount>>(rows_of);
+                            for (std::size_t n = 0; n < fours.size(); ++n)
+                              std::memcpy(numbers(4 * n + i) + first, &fours[n], sizeof fours[n]);
                           });
       });
     else
@@ -256,6 +266,10 @@ int bits_of(const LaneMask<N>& mask) {
   if constexpr (N == 4)
     return _mm256_movemask_pd(std::bit_cast<__m256d>(mask.bits));
 #endif
+#if defined(__AVX512DQ__)
+  if constexpr (N == 8)
+    return _mm512_movepi64_mask(std::bit_cast<__m512i>(mask.bits));
+#endif
   int bits = 0;
   for (std::size_t i = 0; i < N; ++i)
     bits |= holds(mask, i) << i;
@@ -313,11 +327,23 @@ Lanes<N> sqrt(const Lanes<N>& x) {
   if constexpr (N == 4)
     return Lanes<N>{_mm256_sqrt_pd(x.v)};
 #endif
+#if defined(__AVX512F__)
+  if constexpr (N == 8)  // GCC 12 warns of what is not initialised in _mm512_sqrt_pd
+    return Lanes<N>{_mm512_maskz_sqrt_pd(0xff, x.v)};
+#endif
   return each_lane<Lanes<N>>([&](std::size_t i) { return std::sqrt(x.v[i]); });
 }
 
 template <std::size_t N>
 Lanes<N> ceil(const Lanes<N>& x) {
+#if defined(__AVX__)
+  if constexpr (N == 4)
+    return Lanes<N>{_mm256_ceil_pd(x.v)};
+#endif
+#if defined(__AVX512F__)
+  if constexpr (N == 8)
+    return Lanes<N>{_mm512_maskz_roundscale_pd(0xff, x.v, _MM_FROUND_CEIL)};
+#endif
   return each_lane<Lanes<N>>([&](std::size_t i) { return std::ceil(x.v[i]); });
 }
 

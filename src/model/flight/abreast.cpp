@@ -6,8 +6,10 @@ namespace eyrie::model::flight {
 void fly(const Sky& sky, std::span<Flyer* const> flyers) {
   std::size_t i = 0;
 #ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512vbmi2"))
+    i = fly_by_avx512(sky, flyers);
   if (__builtin_cpu_supports("avx2"))
-    i = fly_in_lanes(sky, flyers);
+    i += fly_by_avx2(sky, flyers.subspan(i));
 #endif
   for (; i < flyers.size(); ++i)
     fly_abreast<double>(sky, &flyers[i]);

@@ -114,8 +114,23 @@ template <class Real, bool kAlike = math::kLanes<Real> == 1>
   }
 }
 
-/// Flies in the lanes of AVX2 what fills them, and says how many that were; for a processor that
-/// has it.
-[[nodiscard]] std::size_t fly_in_lanes(const Sky& sky, std::span<Flyer* const> flyers);
+/// Flies what fills the lanes, and says how many that were.
+template <class Real>
+[[nodiscard]] std::size_t fly_full(const Sky& sky, std::span<Flyer* const> all) {
+  constexpr std::size_t kCount = math::kLanes<Real>;
+  std::size_t next = 0;
+  for (; next + kCount <= all.size(); next += kCount) {
+    Flyer* const* const flyers = &all[next];
+    bool alike = true;
+    for (std::size_t i = 1; i < kCount; ++i)
+      alike &= flyers[i]->model == flyers[0]->model;
+    alike ? fly_abreast<Real, true>(sky, flyers) : fly_abreast<Real, false>(sky, flyers);
+  }
+  return next;
+}
+/// The same for a processor that has AVX2, and for one that has AVX-512 (of Ice Lake or Zen 4, at
+/// least: those before work slower by it).
+[[nodiscard]] std::size_t fly_by_avx2(const Sky& sky, std::span<Flyer* const> all);
+[[nodiscard]] std::size_t fly_by_avx512(const Sky& sky, std::span<Flyer* const> all);
 
 }  // namespace eyrie::model::flight
