@@ -3,13 +3,6 @@
 
 namespace eyrie::pilot {
 
-Angles angles_of(const State& s, const Seen& target) {
-  const Vec3 his = s.velocity_of(target) - s.wind();  // through the air, as the noses
-  return {.off_nose = s.off_nose(target.ned),
-          .off_tail = norm2(his) > 0 ? angle_between(his, target.ned) : 0.0,
-          .crossing = norm2(his) > 0 ? angle_between(his, nose_of(s.own)) : 0.0};
-}
-
 double speed_of(const State& s, double mach) {
   return mach * s.library.environment.atmosphere.at(s.own.altitude).speed_of_sound;
 }
@@ -88,7 +81,7 @@ void aim(const State& s, const Vec3& direction, const Pull& pull, Action& action
     action.heading = wrap_tau(s.own.heading);
     action.climb = std::max(lowest, 0.0);
     action.load_factor = pull.most;
-  } else if (elevation_of(normalized(direction, {}) + nose_of(s.own)) < lowest) {
+  } else if (elevation_of(normalized(direction, {}) + s.nose()) < lowest) {
     // the straight way there leads too low: round the side
     const double side = angle_between(s.own.heading, *action.heading) >= 0 ? 1 : -1;
     action.heading = wrap_tau(s.own.heading + side * kPi / 2);

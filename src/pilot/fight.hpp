@@ -8,14 +8,6 @@
 
 namespace eyrie::pilot {
 
-/// One target as a fight sees it. Angles in rad in [0, pi].
-struct Angles {
-  double off_nose = 0;  ///< own flight path to the line of sight: 0 he is ahead
-  double off_tail = 0;  ///< his tail to the line to here: 0 right behind him, pi in front of him
-  double crossing = 0;  ///< between the two flight paths
-};
-[[nodiscard]] Angles angles_of(const State& s, const Seen& target);
-
 /// m/s true airspeed at a Mach number, here.
 [[nodiscard]] double speed_of(const State& s, double mach);
 

@@ -19,7 +19,7 @@ TEST(Fight, TellsWhoIsBehindWhom) {
   desk.track({0, 2000, 0}, kPi / 2);
   const State s = desk.state();
   const auto is = [&](std::size_t i, double off_nose, double off_tail, double crossing) {
-    const Angles a = angles_of(s, s.seen[i]);
+    const Angles a = s.angles(s.seen[i]);
     EXPECT_NEAR(a.off_nose, off_nose * kDegree, 1e-9) << i;
     EXPECT_NEAR(a.off_tail, off_tail * kDegree, 1e-9) << i;
     EXPECT_NEAR(a.crossing, crossing * kDegree, 1e-9) << i;
@@ -37,8 +37,8 @@ TEST(Fight, TellsWhoIsBehindWhomByTheMotionThroughTheAir) {
   desk.own.heading = kPi / 2;
   desk.track({0, 2000, 0}, kPi / 2).velocity.x += 60;  // drifts as the own aircraft does
   const State s = desk.state();
-  EXPECT_NEAR(angles_of(s, s.seen[0]).crossing, 0, 1e-9);
-  EXPECT_NEAR(angles_of(s, s.seen[0]).off_tail, 0, 1e-9);
+  EXPECT_NEAR(s.angles(s.seen[0]).crossing, 0, 1e-9);
+  EXPECT_NEAR(s.angles(s.seen[0]).off_tail, 0, 1e-9);
 }
 
 TEST(Fight, PullsWhatTheEnergyAllows) {

@@ -118,6 +118,12 @@ const model::Axes& State::body() const {
   return *body_;
 }
 
+const Vec3& State::nose() const {
+  if (!nose_)
+    nose_ = nose_of(own);
+  return *nose_;
+}
+
 const Reach& State::reach_of(const Seen& one) const {
   static_assert(model::kMaxTracks <= 32);
   const auto index = static_cast<std::size_t>(&one - seen.data());
@@ -162,6 +168,15 @@ model::Bearing State::in_body(const Vec3& ned) const {
   const model::Axes& axes = body();
   const Vec3 local = from_ned(own, ned);
   return direction_of({dot(local, axes.forward), dot(local, axes.right), dot(local, axes.down)});
+}
+
+const Angles& State::angles(const Seen& one) const {
+  return angles_.about(one.id(), [&] {
+    const Vec3 his = velocity_of(one) - wind();  // through the air, as the noses
+    return Angles{.off_nose = off_nose(one.ned),
+                  .off_tail = norm2(his) > 0 ? angle_between(his, one.ned) : 0.0,
+                  .crossing = norm2(his) > 0 ? angle_between(his, nose()) : 0.0};
+  });
 }
 
 const LineOfSight& State::line_of_sight(const Seen& one) const {
@@ -218,7 +233,7 @@ const OwnReach& State::own_reach(const Seen& one) const {
 }
 
 double State::off_nose(const Vec3& ned) const {
-  return angle_between(nose_of(own), ned);
+  return angle_between(nose(), ned);
 }
 
 double State::altitude_for(double climb_angle) const {

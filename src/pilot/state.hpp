@@ -94,6 +94,13 @@ struct LineOfSight {
   double right = 0, up = 0;  ///< rad/s, at which it turns
 };
 
+/// One target as a fight sees it. Angles in rad in [0, pi].
+struct Angles {
+  double off_nose = 0;  ///< own flight path to the line of sight: 0 he is ahead
+  double off_tail = 0;  ///< his tail to the line to here: 0 right behind him, pi in front of him
+  double crossing = 0;  ///< between the two flight paths
+};
+
 /// Views into the pilot's own rows and what follows from them; good for one decision. Every track
 /// in it is a belief: with a privileged player the beliefs happen to be true, and nothing here
 /// knows the difference.
@@ -161,6 +168,8 @@ struct State : Cockpit {
   }
   /// Nose, right wing and belly in the local frame. Found once a decision.
   [[nodiscard]] const model::Axes& body() const;
+  /// Unit vector of the nose, north-east-down. Found once a decision.
+  [[nodiscard]] const Vec3& nose() const;
   /// From where a track, as it flies now, could hit this aircraft. Nobody knows what it carries: it
   /// is the farthest-reaching radar missile that the library knows. Found once a decision.
   [[nodiscard]] const Reach& reach_of(const Seen& one) const;
@@ -169,6 +178,8 @@ struct State : Cockpit {
   /// The gun's lead on a target that keeps its velocity (model/weapon/gun.hpp); nothing without a
   /// gun. Found once a decision for the last one asked.
   [[nodiscard]] const std::optional<Sight>& gun_sight(const Seen& target) const;
+  /// Found once a decision for the last one asked.
+  [[nodiscard]] const Angles& angles(const Seen& one) const;
   /// Found once a decision for the last one asked.
   [[nodiscard]] const LineOfSight& line_of_sight(const Seen& one) const;
   /// To the target, and inside the gun's reach to where its rounds would meet him; between one and
@@ -190,10 +201,12 @@ struct State : Cockpit {
   [[nodiscard]] model::weapon::LaunchParty party(const Seen& one) const;
 
   mutable std::optional<model::Axes> body_;
+  mutable std::optional<Vec3> nose_;
   mutable std::uint32_t reaches_found_ = 0;  ///< bit i: of seen[i]
   mutable std::array<Reach, model::kMaxTracks> reaches_;
   LastAsked<OwnReach> own_reach_;
   LastAsked<std::optional<Sight>> gun_sight_;
+  LastAsked<Angles> angles_;
   LastAsked<LineOfSight> line_of_sight_;
   LastAsked<model::Bearing> aim_;
 };

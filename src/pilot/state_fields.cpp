@@ -146,11 +146,11 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            of_target([](const State& s, const Seen& t) { return s.closing_on(t); })),
     angle("off_nose",
           "between the nose and the chosen target, up and down too: without a side, in [0, 180°]",
-          of_target([](const State& s, const Seen& t) { return s.off_nose(t.ned); })),
+          of_target([](const State& s, const Seen& t) { return s.angles(t).off_nose; })),
     angle("off_tail", "of the chosen target, in [0, 180°]: 0 right behind him",
-          of_target([](const State& s, const Seen& t) { return angles_of(s, t).off_tail; })),
+          of_target([](const State& s, const Seen& t) { return s.angles(t).off_tail; })),
     angle("crossing", "of the chosen target's path and the own one, in [0, 180°]",
-          of_target([](const State& s, const Seen& t) { return angles_of(s, t).crossing; })),
+          of_target([](const State& s, const Seen& t) { return s.angles(t).crossing; })),
     number("unseen", "s", "since an own eye saw the chosen target; none did: infinite",
            of_target([](const State& s, const Seen& t) {
              const double seen = t.track->seen_time;

@@ -87,10 +87,19 @@ template <class Real, bool kAlike = math::kLanes<Real> == 1>
     return guide(f.model->airframe().autopilot, *f.kinematics, *f.command, f.routes,
                  math::lane(radius, i), *f.flying, winds[i], f.time, sky.dt);
   });
+  bool tells_energy = false;
   for (std::size_t i = 0; i < kCount; ++i)
-    if (flyers[i]->tells_energy)
-      flyers[i]->flying->energy =
-          flyers[i]->model->energy(lane_of(condition, i), kinematics[i]->speed);
+    tells_energy |= flyers[i]->tells_energy;
+  if (tells_energy) {
+    const EnergyOf<Real> energy = equations.energy(condition, k.speed);
+    const auto of = [](const Real& x, std::size_t i) {
+      return static_cast<float>(math::lane(x, i));
+    };
+    for (std::size_t i = 0; i < kCount; ++i)
+      if (flyers[i]->tells_energy)
+        flyers[i]->flying->energy = {of(energy.available, i), of(energy.sustained, i),
+                                     of(energy.corner_speed, i), of(energy.excess_power, i)};
+  }
 
   auto afterburner = each([](const Flyer& f) { return f.flying->afterburner ? 1.0 : 0.0; }) > 0;
   const auto [pitch, roll] = math::sin_cos(k.pitch, k.roll);

@@ -46,35 +46,4 @@ PointMass::PointMass(const Airframe& airframe)
                              (mach_.breakpoints()[i + 1] - mach_.breakpoints()[i]);
 }
 
-Energy PointMass::energy(const FlightCondition& c, double speed) const {
-  const double most = airframe_.limits.max_load_factor;
-  const double excess = c.thrust.afterburner - c.zero_lift_drag;
-  // n at which the drag is the thrust: below the separation D = D0 + D1 n2, beyond it
-  // D0 + D1 n2 + D2 (n - ns)2
-  double sustained = std::sqrt(std::max(excess, 0.0) / c.induced_drag);
-  if (sustained > c.separation) {
-    const double a = c.induced_drag + c.separation_drag, b = c.separation_drag * c.separation;
-    sustained = (b + std::sqrt(std::max(b * b - a * (b * c.separation - excess), 0.0))) / a;
-  }
-  const auto machs = mach_.breakpoints();
-  const auto lift_at = [&](double mach) {
-    if (!(mach > machs.front()) || mach >= machs.back())
-      return (mach >= machs.back() ? by_mach_.back() : by_mach_.front()).max_lift;
-    const std::size_t i = mach_.below(mach);
-    return by_mach_[i].max_lift + (mach - machs[i]) * by_mach_[i].lift_slope;
-  };
-  const double mach_per_speed = 1 / c.speed_of_sound;
-  // V2 C_L(M) is proportional to the lift limit: a few rounds of a fixed point are within 1 %
-  const double here = speed * speed * lift_at(c.mach) / c.lift_limit;
-  double corner = speed * std::sqrt(most / c.lift_limit);
-  for (int round = 0; round < 3; ++round)
-    corner = std::sqrt(most * here / lift_at(corner * mach_per_speed));
-  const double available = std::min(most, c.lift_limit);
-  return {.available = static_cast<float>(available),
-          .sustained = static_cast<float>(std::min(sustained, available)),
-          .corner_speed = static_cast<float>(corner),
-          .excess_power =
-              static_cast<float>((c.thrust.afterburner - c.drag(1)) * speed / (c.mass * kGravity))};
-}
-
 }  // namespace eyrie::model::flight

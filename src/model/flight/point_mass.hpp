@@ -51,22 +51,11 @@ struct FlightConditionOf {
 };
 using FlightCondition = FlightConditionOf<double>;
 
-/// That of one of several aircraft.
+/// Energy in lanes, with the same members.
 template <class Real>
-FlightCondition lane_of(const FlightConditionOf<Real>& c, std::size_t i) {
-  const auto of = [&](const Real& x) { return math::lane(x, i); };
-  return {of(c.mass),
-          of(c.mach),
-          of(c.temperature),
-          of(c.density_root),
-          of(c.speed_of_sound),
-          of(c.zero_lift_drag),
-          of(c.induced_drag),
-          of(c.separation),
-          of(c.separation_drag),
-          of(c.lift_limit),
-          {of(c.thrust.idle), of(c.thrust.military), of(c.thrust.afterburner)}};
-}
+struct EnergyOf {
+  Real available, sustained, corner_speed, excess_power;
+};
 
 template <class Real, bool kAlike>
 class Equations;
@@ -78,10 +67,6 @@ class PointMass {
   explicit PointMass(const Airframe& airframe);
 
   [[nodiscard]] const Airframe& airframe() const { return airframe_; }
-
-  /// What structure, wing and full power allow in that condition, at the true airspeed `speed`.
-  /// Corner speed: where lift 1/2 rho V^2 S C_Lmax(M) is the structure's limit times the weight.
-  [[nodiscard]] Energy energy(const FlightCondition& condition, double speed) const;
 
  private:
   template <class Real, bool kAlike>

@@ -292,15 +292,14 @@ TEST(PointMass, KnowsTheEnergyOfItsAircraft) {
     TestFlight f(a);
     f.start(3000, 0, 200);
     const FlightCondition c = f.condition();
-    const Energy energy = f.model.energy(c, 200);
+    const EnergyOf<double> energy = Equations<double>({&f.model}).energy(c, 200);
     EXPECT_NEAR(energy.available, std::min(9.0, c.lift_limit), 1e-5);
     // what is sustained is what makes drag equal thrust
     ASSERT_LT(energy.sustained, energy.available);
-    EXPECT_NEAR(c.drag(static_cast<double>(energy.sustained)), c.thrust.afterburner,
-                1e-4 * c.thrust.afterburner);
+    EXPECT_NEAR(c.drag(energy.sustained), c.thrust.afterburner, 1e-4 * c.thrust.afterburner);
     EXPECT_NEAR(energy.excess_power, (c.thrust.afterburner - c.drag(1)) * 200 / (c.mass * kGravity),
                 1e-3);
-    f.start(3000, 0, static_cast<double>(energy.corner_speed));
+    f.start(3000, 0, energy.corner_speed);
     EXPECT_NEAR(f.condition().lift_limit, 9, 0.01) << "at corner speed the wing gives the limit";
   }
 }
@@ -311,8 +310,8 @@ TEST(PointMass, FindsCornerSpeedWhereLiftFallsWithTheMachNumber) {
   for (const double speed : {120.0, 250.0, 400.0}) {
     TestFlight f(a);
     f.start(6000, 0, speed);
-    const Energy energy = f.model.energy(f.condition(), speed);
-    f.start(6000, 0, static_cast<double>(energy.corner_speed));
+    const EnergyOf<double> energy = Equations<double>({&f.model}).energy(f.condition(), speed);
+    f.start(6000, 0, energy.corner_speed);
     EXPECT_NEAR(f.condition().lift_limit, 9, 0.2) << speed;
   }
 }

@@ -34,7 +34,7 @@ Status Snapshot::tick(const Tick& t, Proposal& out) const {
   // the aim point, and its way across the nose
   const Vec3 relative = s.velocity_of(*target) - s.velocity_ned;
   const Vec3 point = norm(target->ned + sight->time * relative) * sight->aim;
-  const Vec3 nose = nose_of(s.own);
+  const Vec3& nose = s.nose();
   const auto across = [&](const Vec3& v) { return v - dot(v, nose) * nose; };
   const Vec3 beside = across(point), moves = across(relative);
   if (norm(moves) <= fastest_turn(s) * norm(point))
@@ -66,7 +66,7 @@ Status HighYoYo::tick(const Tick& t, Proposal& out) const {
   const Seen* target = s.target();
   if (!target)
     return fails(t, "no target");
-  const Angles angles = angles_of(s, *target);
+  const Angles& angles = s.angles(*target);
   if (target->range > within_)
     return fails(t, "the target is too far");
   if (angles.off_tail > kPi / 2 || angles.off_nose > kPi / 2)
@@ -81,7 +81,7 @@ Status LowYoYo::tick(const Tick& t, Proposal& out) const {
   const Seen* target = s.target();
   if (!target)
     return fails(t, "no target");
-  const Angles angles = angles_of(s, *target);
+  const Angles& angles = s.angles(*target);
   if (angles.off_tail > kPi / 2)
     return fails(t, "not behind the target's wings");
   if (angles.off_nose < off_nose_ || angles.off_nose > kPi / 2)
@@ -151,8 +151,8 @@ Status Jink::tick(const Tick& t, Proposal& out) const {
     if (m.side == 0 || ubf::passed(s.time, m.since, period_))
       m = {.since = s.time, .side = m.side > 0 ? -1.0 : 1.0};
     // across the line to him, out of the level
-    const Vec3 across = normalized(cross(seen.ned, {0, 0, 1}), nose_of(s.own));
-    const double right = dot(across, nose_of(s.own)) >= 0 ? 1 : -1;
+    const Vec3 across = normalized(cross(seen.ned, {0, 0, 1}), s.nose());
+    const double right = dot(across, s.nose()) >= 0 ? 1 : -1;
     return fly(s, &seen, raised(right * across, m.side * kPi / 4), out);
   }
   m = {};
@@ -214,7 +214,7 @@ Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
     // away from where he will be, as seen along the own path; from where he is, if he is abreast or
     // behind or comes no nearer. To the right if that says nothing; to the left if he is behind.
     constexpr double kAbreast = kPi / 3;
-    const Vec3 nose = nose_of(s.own);
+    const Vec3& nose = s.nose();
     const Vec3 he = pass ? comes : *beside;
     const Vec3 from = pass && s.off_nose(he) < kAbreast ? *pass : he;
     const Vec3 aside = from - dot(from, nose) * nose;

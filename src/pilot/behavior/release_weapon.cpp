@@ -22,7 +22,7 @@ const char* ReleaseWeapon::why_not(const State& s, const Seen& target,
       return "the target would be too near when the missile arrives";
   }
   // a mate close ahead may turn before the missile has flown past him
-  if (friend_in_line(s, {nose_of(s.own), 10, si(1, "nmi"), si(45, "deg")}))
+  if (friend_in_line(s, {s.nose(), 10, si(1, "nmi"), si(45, "deg")}))
     return "a friend is close before the nose";
   return friend_in_basket(s, target, missile,
                           {.half_angle = clear_cone_, .beyond = clear_radius_, .turn = clear_turn_})
