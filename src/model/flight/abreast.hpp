@@ -2,6 +2,7 @@
 #pragma once
 /// \file  Flies one step of aircraft, those of point_mass several side by side.
 #include "model/ellipsoid.hpp"
+#include "model/flight/energy.hpp"
 #include "model/flight/equations.hpp"
 
 namespace eyrie::model::flight {
@@ -63,8 +64,8 @@ template <class Real, bool kAlike = math::kLanes<Real> == 1>
   auto engines = math::to_lanes<Engines<Real>>(propulsion);
 
   // what place and speed decide
-  const Equations<Real, kAlike> equations(
-      math::each_of<kCount>([&](auto i) { return flyers[i]->model; }));
+  const auto models = math::each_of<kCount>([&](auto i) { return flyers[i]->model; });
+  const Equations<Real, kAlike> equations(models);
   const FlightConditionOf<Real> condition =
       equations.condition(k, sky.environment.atmosphere.at(k.altitude), engines.fuel,
                           LoadOf<Real>{each([](const Flyer& f) { return f.load.mass; }),
@@ -91,7 +92,7 @@ template <class Real, bool kAlike = math::kLanes<Real> == 1>
   for (std::size_t i = 0; i < kCount; ++i)
     tells_energy |= flyers[i]->tells_energy;
   if (tells_energy) {
-    const EnergyOf<Real> energy = equations.energy(condition, k.speed);
+    const EnergyOf<Real> energy = energy_of(models, condition, k.speed);
     const auto of = [](const Real& x, std::size_t i) {
       return static_cast<float>(math::lane(x, i));
     };

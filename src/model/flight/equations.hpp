@@ -133,42 +133,6 @@ class Equations {
     return controls;
   }
 
-  /// What structure, wing and full power allow in that condition, at the true airspeed `speed`.
-  /// Corner speed: where lift 1/2 rho V^2 S C_Lmax(M) is the structure's limit times the weight.
-  EnergyOf<Real> energy(const FlightConditionOf<Real>& c, const Real& speed) const {
-    const Real most = each(&FlightLimits::max_load_factor);
-    const Real excess = c.thrust.afterburner - c.zero_lift_drag;
-    // n at which the drag is the thrust: below the separation D = D0 + D1 n2, beyond it
-    // D0 + D1 n2 + D2 (n - ns)2
-    const Real attached = math::sqrt(math::max(excess, 0) / c.induced_drag);
-    const Real a = c.induced_drag + c.separation_drag, b = c.separation_drag * c.separation;
-    const Real separated =
-        (b + math::sqrt(math::max(b * b - a * (b * c.separation - excess), 0))) / a;
-    const Real sustained = math::select(attached > c.separation, separated, attached);
-    const auto lift_at = [&](const Real& machs) {
-      return math::each_lane<Real>([&](std::size_t i) {
-        const PointMass& m = model(i);
-        const double mach = math::lane(machs, i);
-        const auto all = m.mach_.breakpoints();
-        if (!(mach > all.front()) || mach >= all.back())
-          return (mach >= all.back() ? m.by_mach_.back() : m.by_mach_.front()).max_lift;
-        const std::size_t at = m.mach_.below(mach);
-        return m.by_mach_[at].max_lift + (mach - all[at]) * m.by_mach_[at].lift_slope;
-      });
-    };
-    const Real mach_per_speed = 1 / c.speed_of_sound;
-    // V2 C_L(M) is proportional to the lift limit: a few rounds of a fixed point are within 1 %
-    const Real here = speed * speed * lift_at(c.mach) / c.lift_limit;
-    Real corner = speed * math::sqrt(most / c.lift_limit);
-    for (int round = 0; round < 3; ++round)
-      corner = math::sqrt(most * here / lift_at(corner * mach_per_speed));
-    const Real available = math::min(most, c.lift_limit);
-    return {.available = available,
-            .sustained = math::min(sustained, available),
-            .corner_speed = corner,
-            .excess_power = (c.thrust.afterburner - c.drag(1)) * speed / (c.mass * kGravity)};
-  }
-
   /// Slowest speed (m/s) that steer() flies: where the wing can still give the stall margin.
   template <class K>
   Real slowest_speed(const K& k, const FlightConditionOf<Real>& c) const {

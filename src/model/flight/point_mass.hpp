@@ -51,12 +51,6 @@ struct FlightConditionOf {
 };
 using FlightCondition = FlightConditionOf<double>;
 
-/// Energy in lanes, with the same members.
-template <class Real>
-struct EnergyOf {
-  Real available, sustained, corner_speed, excess_power;
-};
-
 template <class Real, bool kAlike>
 class Equations;
 
@@ -67,6 +61,15 @@ class PointMass {
   explicit PointMass(const Airframe& airframe);
 
   [[nodiscard]] const Airframe& airframe() const { return airframe_; }
+
+  /// Largest lift coefficient.
+  [[nodiscard]] double max_lift(double mach) const {
+    const auto machs = mach_.breakpoints();
+    if (!(mach > machs.front()) || mach >= machs.back())
+      return (mach >= machs.back() ? by_mach_.back() : by_mach_.front()).max_lift;
+    const std::size_t i = mach_.below(mach);
+    return by_mach_[i].max_lift + (mach - machs[i]) * by_mach_[i].lift_slope;
+  }
 
  private:
   template <class Real, bool kAlike>

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "model/flight/energy.hpp"
 #include "support/model/lone_flight.hpp"
 
 namespace eyrie::model::flight {
@@ -292,7 +293,7 @@ TEST(PointMass, KnowsTheEnergyOfItsAircraft) {
     TestFlight f(a);
     f.start(3000, 0, 200);
     const FlightCondition c = f.condition();
-    const EnergyOf<double> energy = Equations<double>({&f.model}).energy(c, 200);
+    const EnergyOf<double> energy = energy_of<double>({&f.model}, c, 200);
     EXPECT_NEAR(energy.available, std::min(9.0, c.lift_limit), 1e-5);
     // what is sustained is what makes drag equal thrust
     ASSERT_LT(energy.sustained, energy.available);
@@ -310,7 +311,7 @@ TEST(PointMass, FindsCornerSpeedWhereLiftFallsWithTheMachNumber) {
   for (const double speed : {120.0, 250.0, 400.0}) {
     TestFlight f(a);
     f.start(6000, 0, speed);
-    const EnergyOf<double> energy = Equations<double>({&f.model}).energy(f.condition(), speed);
+    const EnergyOf<double> energy = energy_of<double>({&f.model}, f.condition(), speed);
     f.start(6000, 0, energy.corner_speed);
     EXPECT_NEAR(f.condition().lift_limit, 9, 0.2) << speed;
   }
