@@ -34,8 +34,35 @@ class TextBook {
   std::size_t taken_ = 0;
 };
 
+/// What the nodes of a tree, `all` of which are blank, answered, without values: enough to tell who
+/// won, and why.
+template <class Action>
+[[nodiscard]] std::vector<debrief::Answer> answered(std::vector<debrief::Answer> all,
+                                                    const ubf::Trace<Action>& trace) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto node = static_cast<ubf::NodeIndex>(i);
+    const auto& row = trace.row(node);
+    debrief::Answer& answer = all[i];
+    answer.asked = row.ticked;
+    answer.status = row.status;
+    answer.vote = row.proposal.vote;
+    answer.given = team::given_vote(trace, node);
+    if (const char* said = row.ticked ? trace.why(node) : nullptr)
+      answer.why = said;
+    else if (!row.ticked || row.status != ubf::Status::failure)
+      answer.why.clear();
+    ubf::for_each_field<Action>([&](const auto& f, auto field) {
+      if (row.proposal.action.*f.member)
+        answer.action.push_back({.name = std::string(f.name),
+                                 .held = row.held[field],
+                                 .supplier = row.supplier[field]});
+    });
+  }
+  return all;
+}
+
 /// What of a decision stays the same for long: who was asked, what they answered, with which
-/// votes, and who supplied which field. Kept once, however often it comes.
+/// votes, who supplied which field, and against whom. Kept once, however often it comes.
 class ShapeBook {
  public:
   explicit ShapeBook(TextBook& texts) : texts_(texts) {}
@@ -104,21 +131,15 @@ class ShapeBook {
   [[nodiscard]] Json shape(std::size_t tree, const std::vector<debrief::Answer>& blank,
                            ubf::NodeIndex leader, const ubf::Trace<Action>& trace) {
     std::string status;
-    Json votes = Json::array(), given = Json::array(), why = Json::array(),
-         supplier = Json::array();
-    for (std::size_t i = 0; i < blank.size(); ++i) {
-      const auto node = static_cast<ubf::NodeIndex>(i);
-      const auto& row = trace.row(node);
-      status.push_back(letter(row.ticked, row.status));
-      votes.push_back(row.proposal.vote);
-      if (const auto vote = team::given_vote(trace, node))
-        given.push_back({i, *vote});
-      if (failed(row)) {
-        const char* said = trace.why(node);
-        const std::string words = said ? said : blank[i].why;
-        if (!words.empty())
-          why.push_back({i, texts_.number(words)});
-      }
+    Json votes = Json::array(), why = Json::array(), supplier = Json::array();
+    const std::vector<debrief::Answer> nodes = answered(blank, trace);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const debrief::Answer& answer = nodes[i];
+      const auto& row = trace.row(static_cast<ubf::NodeIndex>(i));
+      status.push_back(letter(answer.asked, answer.status));
+      votes.push_back(answer.vote);
+      if (failed(row) && !answer.why.empty())
+        why.push_back({i, texts_.number(answer.why)});
       if (ubf::is_empty(row.proposal.action))
         continue;
       Json fields = Json::array({i});
@@ -127,10 +148,28 @@ class ShapeBook {
                                          : index_of(row.supplier[field]));
       supplier.push_back(std::move(fields));
     }
-    return {{"tree", tree},        {"leader", index_of(leader)},
-            {"status", status},    {"vote", votes},
-            {"given", given},      {"why", why},
-            {"supplier", supplier}};
+    return {
+        {"tree", tree}, {"leader", index_of(leader)}, {"status", status},        {"vote", votes},
+        {"why", why},   {"supplier", supplier},       {"won", won(nodes, trace)}};
+  }
+  /// [field, who won it, in words because of what, [[another node that proposed one, votes], ...]]
+  template <class Action>
+  [[nodiscard]] Json won(const std::vector<debrief::Answer>& nodes,
+                         const ubf::Trace<Action>& trace) {
+    Json all = Json::array();
+    const std::vector<team::Won> fields = team::contest(nodes);
+    auto next = fields.begin();
+    ubf::for_each_field<Action>([&](const auto& f, auto field) {
+      if (!(trace.row(0).proposal.action.*f.member))
+        return;
+      Json rivals = Json::array();
+      for (const team::Rival& rival : next->rivals)
+        rivals.push_back({index_of(rival.node), rival.vote});
+      all.push_back({static_cast<std::size_t>(field), index_of(next->winner),
+                     texts_.number(debrief::reason(*next)), std::move(rivals)});
+      ++next;
+    });
+    return all;
   }
 
   struct Hash {
@@ -197,6 +236,11 @@ class Decisions {
     if (shape == shape_ && since < thin.same)
       return false;
     const bool changed = tree != tree_ || leader != leader_;
+    std::int64_t why = -1;
+    if (changed && tree == tree_)
+      why = texts_.number(
+          debrief::why_not({.leader = leader, .nodes = answered(blank, trace)}, leader_));
+    why_not_.add_rounded(why);
     tree_ = tree;
     leader_ = leader;
     shape_ = shape;
@@ -224,12 +268,14 @@ class Decisions {
         values.push_back({i / fields_, i % fields_, bytes.put(values_[i])});
     return {{"step", bytes.put(step_)},
             {"shape", bytes.put(shape_column_)},
+            {"why_not", bytes.put(why_not_)},
             {"values", std::move(values)}};
   }
   [[nodiscard]] bool empty() const { return step_.values().empty(); }
   void forget() {
     step_.forget();
     shape_column_.forget();
+    why_not_.forget();
     for (Column& column : values_)
       column.forget();
   }
@@ -282,6 +328,7 @@ class Decisions {
   ShapeBook& shapes_;
   TextBook& texts_;
   Column step_, shape_column_;
+  Column why_not_;  ///< in words, why who led before leads no more; -1: he does, or another tree
   std::vector<Column> values_;  ///< by node and field
   std::size_t fields_ = 1;
   std::vector<ubf::NodeIndex> suppliers_;  ///< of the decision that is added: who has a value

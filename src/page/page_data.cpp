@@ -78,8 +78,7 @@ class Platform {
              {"parent", answer.parent == ubf::kNone ? -1 : static_cast<int>(answer.parent)},
              {"depth", answer.depth},
              {"params", std::move(params)},
-             {"remembers", node.remembers()},
-             {"decided_by", answer.decided_by}});
+             {"remembers", node.remembers()}});
         if (const auto* sequencer = dynamic_cast<const ubf::Sequencer<State, Action>*>(&node))
           for (const auto& [from, to] : sequencer->rules())  // of its last children, in their order
             nodes.back()["rules"].push_back({from == ubf::kNone ? -1 : static_cast<int>(from), to});
@@ -211,7 +210,7 @@ class Writer final : public Packer {
     Json players = Json::array();
     for (std::size_t i = 0; i < agents_.size(); ++i)
       players.push_back(player(i, bytes));
-    Json all{{"format", 1},
+    Json all{{"format", 2},
              {"about", about(facts)},
              {"players", std::move(players)},
              {"missiles", motions_.missiles(bytes)},

@@ -62,6 +62,9 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
   EXPECT_EQ(player["name"], GetParam().player);
   const auto steps = page.column(player["decisions"]["step"]);
   const auto shapes = page.column(player["decisions"]["shape"]);
+  const auto why_not = page.column(player["decisions"]["why_not"]);
+  const json& texts = page.document["texts"];
+  std::optional<debrief::Decision> before;
   struct Values {
     std::vector<double> all;
     std::size_t next = 0;
@@ -72,7 +75,7 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
   const json& fields = page.document["platforms"][player["kind"].get<std::string>()]["action"];
 
   debrief::Reflight flight(recorded);
-  std::size_t at = 0, compared = 0, held = 0;
+  std::size_t at = 0, compared = 0, held = 0, led = 0;
   while (flight.step()) {
     const auto decision =
         debrief::explain(*recorded.scenario, flight.before(), flight.after(), who, flight.orders());
@@ -82,7 +85,16 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
     ASSERT_EQ(static_cast<std::uint64_t>(steps[at]), decision->step);
     const json& shape = page.document["shapes"][static_cast<std::size_t>(shapes[at])];
     const json& tree = page.document["trees"][shape["tree"].get<std::size_t>()];
+    const double why = why_not[at];
     ++at;
+    const bool leads_anew =
+        before && before->tree == decision->tree && before->leader != decision->leader;
+    ASSERT_EQ(why >= 0, leads_anew);
+    if (leads_anew) {
+      ASSERT_EQ(texts[static_cast<std::size_t>(why)], debrief::why_not(*decision, before->leader));
+      ++led;
+    }
+    before = decision;
     ASSERT_EQ(tree["name"], decision->tree);
     ASSERT_EQ(shape["leader"].get<int>(),
               decision->leader == ubf::kNone ? -1 : static_cast<int>(decision->leader));
@@ -121,7 +133,17 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
           ++compared;
         }
     }
-    for (const debrief::Won& won : decision->action) {
+    ASSERT_EQ(shape["won"].size(), decision->action.size());
+    for (std::size_t i = 0; i < decision->action.size(); ++i) {
+      const debrief::Won& won = decision->action[i];
+      json rivals = json::array();
+      for (const debrief::Rival& rival : won.rivals)
+        rivals.push_back({rival.node, rival.vote});
+      const json& told = shape["won"][i];
+      ASSERT_EQ(fields[told[0].get<std::size_t>()]["name"], won.value.name);
+      ASSERT_EQ(told[1], won.winner);
+      ASSERT_EQ(texts[told[2].get<std::size_t>()], debrief::reason(won));
+      ASSERT_EQ(told[3], rivals);
       const auto field = std::find_if(fields.begin(), fields.end(),
                                       [&](const json& f) { return f["name"] == won.value.name; });
       ASSERT_NE(field, fields.end());
@@ -139,6 +161,7 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
   // looking changed nothing: the same world as flown without a trace
   EXPECT_EQ(flight.after().hash(), recorded.run.trail.last_hash);
   EXPECT_GT(compared, 1000U);
+  EXPECT_EQ(led > 3, std::string_view(GetParam().player) != "supply1");  // it follows its route
   EXPECT_EQ(held > 100, std::string_view(GetParam().scenario) == "layers");
 }
 
@@ -149,10 +172,13 @@ TEST(PageShapes, HaveTheVotesThatWereGivenInThePlaceOfTheirOwn) {
   said.vote = 40;
   TextBook texts;
   ShapeBook shapes(texts);
-  const std::vector<debrief::Answer> nodes(3);
+  const debrief::Answer leaf{.depth = 1, .parent = 0};
+  const std::vector<debrief::Answer> nodes{{.is_leaf = false}, leaf, leaf};
   const auto number = [&](float given) {
     trace.begin(3);
     for (const ubf::NodeIndex node : std::array<ubf::NodeIndex, 3>{1, 2, 0}) {
+      if (node == 0)
+        trace.took(0, 1);
       trace.record(node, ubf::Status::running, said);
       if (node == 2)
         trace.voted(node, given);
@@ -163,7 +189,7 @@ TEST(PageShapes, HaveTheVotesThatWereGivenInThePlaceOfTheirOwn) {
   EXPECT_EQ(number(2.5F), 1);
   EXPECT_EQ(number(1.5F), 0);
   EXPECT_EQ(shapes.json().at(0).at("vote"), json::parse("[40, 40, 40]"));
-  EXPECT_EQ(shapes.json().at(0).at("given"), json::parse("[[2, 1.5]]"));
+  EXPECT_EQ(texts.texts().at(shapes.json().at(0).at("won")[0][2]), "voted 40 against 1.5");
 }
 
 /// A page that grows gets everything once.

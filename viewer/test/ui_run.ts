@@ -26,7 +26,7 @@ export function told_run(decisions: Record<string, Said>[], story: StoryLine[] =
   const none = new Float64Array(0);
   const gone = decisions.length / 10;
   const one = { ...run.players[0]!, side: 'blue', born: 0, gone, end: 'home', sights: { t: none } } as Player;
-  const silent = { t: none, step: none, shape: new Int32Array(0), value: () => null };
+  const silent = { t: none, step: none, shape: new Int32Array(0), why_not: new Int32Array(0), value: () => null };
   const two: Player = { ...one, index: 1, name: 'bogey1', side: 'red', decisions: silent };
   return { ...run, players: [one, two], story, about: { duration: gone } } as unknown as Run;
 }

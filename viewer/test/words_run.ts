@@ -19,8 +19,6 @@ export interface Proposal {
   /** Null: it was not asked. */
   status: Status | null;
   vote: number;
-  /** What its arbiter put in the place of that. */
-  given?: number;
   /** By field; NaN: not set. */
   action: Float64Array;
   /** By field the node that supplied it; -1: not set. */
@@ -54,7 +52,7 @@ export function tree_of(root: NodeSpec): Tree {
   const nodes: TreeNode[] = [];
   const add = ({ label, type, params, remembers, children }: NodeSpec, parent: number, depth: number, path: string): number => {
     const kind = children.length ? 'arbiter' : 'behavior';
-    const index = nodes.push({ label, type, params, remembers, kind, parent, depth, path, decided_by: type === 'weighted_random' ? 'chance' : '', children: [] }) - 1;
+    const index = nodes.push({ label, type, params, remembers, kind, parent, depth, path, children: [] }) - 1;
     nodes[index]!.children = children.map((child) => add(child, index, depth + 1, `${path}/${child.label}`));
     return index;
   };
@@ -116,10 +114,10 @@ function shape_of(all: Proposal[]): Shape {
     leader: all[0]!.leader,
     status: all.map((p) => p.status),
     vote: all.map((p) => p.vote),
-    counted: all.map((p) => p.given ?? p.vote),
     why: all.map(() => ''),
     supplier: all.map((p) => (p.supplier.some((s) => s >= 0) ? Int16Array.from(p.supplier) : null)),
     held: all.map((p) => (p.supplier.some((s) => s >= 0) ? (p.held ?? Array.from(p.supplier, () => false)) : null)),
+    won: [],
   };
 }
 
@@ -140,7 +138,7 @@ export function run_of(root: NodeSpec, decisions: Record<string, Said>[], more: 
     return columns.get(key)!;
   };
   const t = Float64Array.from(decisions, (_, i) => i / 10);
-  const decided = { t, step: t.map((time) => Math.round(time * 50)), shape, value };
+  const decided = { t, step: t.map((time) => Math.round(time * 50)), shape, why_not: shape.map(() => -1), value };
   const player = { index: 0, name: 'eagle2', kind: 'aircraft', decisions: decided };
   const platform = { action: kFields, state: [] };
   return {

@@ -98,7 +98,7 @@ export class GrownRun {
     const held: Held = { ...(before ?? { pairs: new Map<string, Growing>() }), ...part } as unknown as Held;
     held.motion = put(before?.motion ?? {}, part.motion, columns);
     held.gauges = put(before?.gauges ?? {}, part.gauges, columns);
-    held.decisions = before?.decisions ?? { step: new Growing(), shape: new Growing(), values: [] };
+    held.decisions = before?.decisions ?? { step: new Growing(), shape: new Growing(), why_not: new Growing(), values: [] };
     held.sights = before?.sights ?? { t: new Growing(), state: [], tracks: {} as never, warnings: {} as never, scan: null, zone: null };
     if (part.decisions) this.add_decisions(held, part.decisions, columns);
     if (part.sights) this.add_sights(held, part.sights, columns);
@@ -115,6 +115,7 @@ export class GrownRun {
   private add_decisions(held: Held, part: NonNullable<Part['players'][number]['decisions']>, columns: Uint8Array): void {
     held.decisions.step.add(read_column(columns, part.step));
     held.decisions.shape.add(read_column(columns, part.shape));
+    held.decisions.why_not.add(read_column(columns, part.why_not));
     for (const [node, field, column] of part.values) {
       const key = `${node}/${field}`;
       let pair = held.pairs.get(key);

@@ -12,7 +12,7 @@ import type {
   Decisions, Flight, Gauges, Missile, Motion, Place, Player, Run, Shape, Sights, Status, Tree, TreeNode,
 } from './run.ts';
 
-const kFormat = 1;
+const kFormat = 2;
 const kNothing = -2147483648;
 const kNever = 2147483647;
 
@@ -47,7 +47,7 @@ export function read_column(bytes: Uint8Array, [offset, count, quantum, order]: 
 export interface PlayerData<C = Column> extends Omit<Player, 'index' | 'motion' | 'gauges' | 'decisions' | 'sights'> {
   motion: Packed<keyof Motion, C>;
   gauges: Packed<keyof Gauges, C>;
-  decisions: { step: C; shape: C; values: [node: number, field: number, column: C][] };
+  decisions: { step: C; shape: C; why_not: C; values: [node: number, field: number, column: C][] };
   sights: {
     t: C;
     state: C[];
@@ -63,8 +63,8 @@ export interface MissileData<C = Column> extends Omit<Missile, 'active' | 'motio
 }
 export interface ShapeData extends Pick<Shape, 'tree' | 'leader' | 'vote'> {
   status: string;  // a letter a node: '-' not asked, F, S, R
-  given: [node: number, vote: number][];  // votes that an arbiter put in the place of the node's own
   why: [node: number, text: number][];
+  won: [field: number, winner: number, reason: number, rivals: [node: number, vote: number][]][];
   supplier: number[][];  // [node, supplier of field 0, of field 1, ...]; -2 - supplier: held from an earlier decision
 }
 export interface Document extends Pick<Run, 'about' | 'origin' | 'platforms' | 'texts' | 'stores' | 'story'> {
@@ -103,6 +103,7 @@ function decisions_of<C>(read: Read<C>, data: PlayerData<C>['decisions'], shapes
   const own: Omit<Decisions, 'value'> = lazy({
     step: () => read(data.step),
     shape: () => Int32Array.from(read(data.shape)),
+    why_not: () => Int32Array.from(read(data.why_not)),
     t: () => own.step.map((s) => s * dt),
   });
   // dense over the decisions in which the node set the field itself, or the root holds what nobody set this time
@@ -152,8 +153,6 @@ function sights_of<C>(read: Read<C>, data: PlayerData<C>['sights'], texts: strin
 
 export function shape_of(data: ShapeData, texts: string[]): Shape {
   const status = Array.from(data.status, (letter) => kStatus[letter] ?? null);
-  const counted = [...data.vote];
-  for (const [node, vote] of data.given) counted[node] = vote;
   const why = status.map(() => '');
   for (const [node, text] of data.why) why[node] = texts[text]!;
   const supplier: (Int16Array | null)[] = status.map(() => null);
@@ -162,7 +161,9 @@ export function shape_of(data: ShapeData, texts: string[]): Shape {
     supplier[node!] = Int16Array.from(fields, (from) => (from <= -2 ? -2 - from : from));
     held[node!] = fields.map((from) => from <= -2);
   }
-  return { ...data, status, counted, why, supplier, held };
+  const won = data.won.map(([field, winner, reason, rivals]) => (
+    { field, winner, reason: texts[reason]!, rivals: rivals.map(([node, vote]) => ({ node, vote })) }));
+  return { ...data, status, why, supplier, held, won };
 }
 
 function tree_of(data: Document['trees'][number]): Tree {

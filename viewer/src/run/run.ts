@@ -121,7 +121,6 @@ export interface TreeNode {
   /** As a file would write them: "2 nmi"; limits and axes by field: "bounds.altitude.min", "grid.heading.from". */
   params: Record<string, string>;
   remembers: boolean;  // It keeps something from decision to decision.
-  decided_by: string;  // What decides between its children; empty: their votes.
   /** Of a sequencer, whose last children are the conditions of these: from which of its first children to which; -1: from any. */
   rules?: [from: number, to: number][];
 }
@@ -141,12 +140,25 @@ export interface Shape {
   leader: number;  // The node whose recommendation led; -1: nobody's.
   status: (Status | null)[];  // Per node; null: not asked.
   vote: number[];  // Per node, as it went up.
-  counted: number[];  // Per node the vote by which it was compared: its own, or that which its arbiter put in its place.
   why: string[];  // Per node why it failed; "" if it did not say or did not fail.
   /** Per node, per field of the action: the node that supplied it (a leaf, or the arbiter that
    * blended it), or -1: not set. Null for nodes that proposed nothing. */
   supplier: (Int16Array | null)[];
   held: (boolean[] | null)[];  // Whether that one proposed it in an earlier decision, whatever it answered in this.
+  won: Won[];  // By field of the action, those that were set.
+}
+
+/** Who won a field of the action. */
+export interface Won {
+  field: number;  // Index into the platform's action.
+  winner: number;  // A leaf, or the arbiter that blended it.
+  reason: string;  // "voted 40 against 10".
+  rivals: Rival[];  // What a blend is made of, then those that came up, then the others; by vote, the highest first.
+}
+/** Somebody who proposed a field that another one won. */
+export interface Rival {
+  node: number;
+  vote: number;  // Of its branch, where it met that of the winner.
 }
 
 /** The node of which Decisions.value() has what `node` sent up for `field`; -1: none. */
@@ -160,6 +172,7 @@ export interface Decisions {
   t: Float64Array;
   step: Float64Array;  // Of the world.
   shape: Int32Array;  // Indices into Run.shapes.
+  why_not: Int32Array;  // Indices into Run.texts: why who led before leads no more; -1: he does, or in another tree.
   /** What `node` proposed itself for `field` at each decision; NaN where it did not. Null: never. */
   value(node: number, field: number): Float64Array | null;
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** What was decided, field by field: who won, why, and what the others wanted. */
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import type { Player, Run, Tree } from '../run/run.ts';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { source_of, type Player, type Rival, type Run, type Tree, type Won } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
-import { contest, type Rival, type Won } from '../words/contest.ts';
 import { told_text, number_text } from '../words/text.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
@@ -37,13 +36,14 @@ function RivalButton({ rival, text, label, onPoint }: { rival: Rival; text: stri
   );
 }
 
-function FieldRow({ won, tree, text, onPoint }: { won: Won; tree: Tree; text: (value: number) => string; onPoint: Point }) {
+type RowProps = { won: Won; si: number; tree: Tree; proposed: (node: number) => number; text: (value: number) => string; onPoint: Point };
+function FieldRow({ won, si, tree, proposed, text, onPoint }: RowProps) {
   const page = use_page();
   const winner = tree.nodes[won.winner];
   const field = page.run.platforms[tree.kind].action[won.field]!;
-  const value = text(won.value);
+  const value = text(si);
   return (
-    <tbody data-field={field.name} data-winner={winner?.path ?? ''} data-value={value} data-si={won.value} data-rivals={won.rivals.length}
+    <tbody data-field={field.name} data-winner={winner?.path ?? ''} data-value={value} data-si={si} data-rivals={won.rivals.length}
       onPointerEnter={() => page.pointed.set(won.winner)} onPointerLeave={() => page.pointed.set(-1)}>
       <tr>
         <th scope="row">{field.name}</th>
@@ -58,7 +58,7 @@ function FieldRow({ won, tree, text, onPoint }: { won: Won; tree: Tree; text: (v
           <td />
           <td class="rivals" colSpan={2}>
             {won.rivals.map((rival) => (
-              <RivalButton key={rival.node} rival={rival} text={text(rival.value)} label={tree.nodes[rival.node]!.label}
+              <RivalButton key={rival.node} rival={rival} text={text(proposed(rival.node))} label={tree.nodes[rival.node]!.label}
                 onPoint={onPoint} />
             ))}
           </td>
@@ -72,7 +72,9 @@ export function Fields({ player, index, tree }: { player: Player; index: number;
   const page = use_page();
   const table = useRef<HTMLTableElement>(null);
   use_rove(table);
-  const fields = useMemo(() => contest(page.run, player.index, index), [page, player, index]);
+  const shape = page.run.shapes[player.decisions.shape[index]!]!;
+  const fields = shape.won;
+  const value = (node: number, field: number): number => player.decisions.value(node, field)?.[index] ?? NaN;
   const [pointed, point] = useState(-1);
   const asks = pointed >= 0 && fields.some(({ rivals }) => rivals.some(({ node }) => node === pointed));
   useEffect(() => {
@@ -90,7 +92,8 @@ export function Fields({ player, index, tree }: { player: Player; index: number;
       <colgroup><col class="field-name" /><col class="field-value" /><col /></colgroup>
       <thead class="unseen"><tr><th>field</th><th>value</th><th>who won, and why</th></tr></thead>
       {fields.map((won) => (
-          <FieldRow key={won.field} won={won} tree={tree} onPoint={point}
+          <FieldRow key={won.field} won={won} si={value(source_of(shape, 0, won.field), won.field)} tree={tree} onPoint={point}
+            proposed={(node) => value(node, won.field)}
             text={(value) => told_text(page.run, player, player.decisions.t[index]!, page.run.platforms[player.kind].action[won.field]!, value)} />
       ))}
     </table>

@@ -4,7 +4,6 @@ import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
 import { Overruled } from '../live/overruled.tsx';
 import type { Player, Run } from '../run/run.ts';
-import { why_not } from '../words/contest.ts';
 import { clock_text, number_text } from '../words/text.ts';
 import { jump, step_decision, step_leader } from './actions.ts';
 import { Fields } from './fields.tsx';
@@ -33,9 +32,7 @@ function Section({ title, note, children }: { title: string; note?: string; chil
 function change_words(run: Run, player: Player, spans: Span[], at: number): string {
   const [before, now] = [spans[at - 1], spans[at]!];
   if (!before) return 'the first decision';
-  const shape = run.shapes[player.decisions.shape[now.first]!]!;
-  const words = before.tree === now.tree ? why_not(run.trees[now.tree]!, shape, before.node) : 'another tree';
-  return `after ${before.label}: ${words}`;
+  return `after ${before.label}: ${run.texts[player.decisions.why_not[now.first]!] ?? 'another tree'}`;
 }
 
 function Header({ player, index }: { player: Player; index: number }) {

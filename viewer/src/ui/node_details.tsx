@@ -3,7 +3,7 @@
 import { VoteOrder } from '../live/controls.tsx';
 import type { Parameter } from '../engine/questions.ts';
 import { source_of, type Player, type Shape, type Tree } from '../run/run.ts';
-import { answer_words } from '../words/contest.ts';
+import { answer_words } from '../words/answer.ts';
 import { quantity_text, reworded, told_text } from '../words/text.ts';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';

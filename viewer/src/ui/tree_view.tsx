@@ -3,7 +3,7 @@
  * children below their parent and to the right of where it begins. */
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Shape, Tree, TreeNode } from '../run/run.ts';
-import { answer_words, path_of_leader } from '../words/contest.ts';
+import { answer_words, path_of_leader } from '../words/answer.ts';
 import { number_text, reworded } from '../words/text.ts';
 import { text_width } from './canvas.ts';
 import { use_page } from './page.ts';
