@@ -4,6 +4,7 @@
 // type="application/x-eyrie-TYPE">a zlib stream as text</script>: run files, which the engine in the page flies again,
 // columns where there is none, launch zones, and the texts of a playground.
 import { build } from 'esbuild';
+import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { mkdir, readdir, readFile, rename, rm, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
@@ -37,11 +38,18 @@ async function notices(inputs) {
   return `\n<!--\nThis page holds the following packages.\n\n${parts.join('\n\n')}\n-->\n`.replace(/(?<!^\n<!)--(?!>\n$)/g, '- -');
 }
 const packed = (bytes) => ascii85(deflateSync(bytes, { level: 9 }));
+// zopfli's zlib streams are a twentieth smaller
+async function packed_engine(file) {
+  const { status, stdout } = spawnSync('zopfli', ['--zlib', '-c', file], { maxBuffer: 1e8 });
+  if (status === 0) return ascii85(stdout);
+  console.warn('zopfli is not installed, or failed: the pages get 50 kB larger');
+  return packed(await readFile(file));
+}
 const whole = await bundled('src/whole.ts', { format: 'iife' });
 const start = await bundled('src/start.ts', { format: 'esm' });
 // nothing but these scripts and this style: a text of a run that were taken for either would do nothing
 const source = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
-const module = engine ? `<script type="application/x-eyrie-engine">${packed(await readFile(engine))}</script>` : '';
+const module = engine ? `<script type="application/x-eyrie-engine">${await packed_engine(engine)}</script>` : '';
 const shell = await readFile(join(here, 'index.html'), 'utf8');
 
 async function make(name, title, script_file, style_file) {

@@ -34,6 +34,14 @@ class TextBook {
   std::size_t taken_ = 0;
 };
 
+/// The fields of an action by name.
+template <class Action>
+inline constexpr auto kNames = [] {
+  std::array<std::string_view, ubf::kFields<Action>> names;
+  ubf::for_each_field<Action>([&](const auto& f, auto i) { names[i] = f.name; });
+  return names;
+}();
+
 /// What the nodes of a tree, `all` of which are blank, answered, without values: enough to tell who
 /// won, and why.
 template <class Action>
@@ -51,12 +59,11 @@ template <class Action>
       answer.why = said;
     else if (!row.ticked || row.status != ubf::Status::failure)
       answer.why.clear();
-    ubf::for_each_field<Action>([&](const auto& f, auto field) {
-      if (row.proposal.action.*f.member)
-        answer.action.push_back({.name = std::string(f.name),
-                                 .held = row.held[field],
-                                 .supplier = row.supplier[field]});
-    });
+    for (std::size_t f = 0; f < row.supplier.size(); ++f)
+      if (row.supplier[f] != ubf::kNone)
+        answer.action.push_back({.name = std::string(kNames<Action>[f]),
+                                 .held = row.held[f],
+                                 .supplier = row.supplier[f]});
   }
   return all;
 }
@@ -84,7 +91,7 @@ class ShapeBook {
       }
       const float vote = row.proposal.vote;
       const auto given = team::given_vote(trace, node);
-      const char* why = failed(row) ? trace.why(node) : nullptr;
+      const char* why = row.status == ubf::Status::failure ? trace.why(node) : nullptr;
       const bool proposes = !ubf::is_empty(row.proposal.action);
       append(static_cast<char>((1 + static_cast<int>(row.status)) | (vote != 0) << 4 |
                                given.has_value() << 5 | (why != nullptr) << 6 | proposes << 7));
@@ -102,7 +109,7 @@ class ShapeBook {
     const auto [at, is_new] =
         numbers_.try_emplace(key_, static_cast<std::int64_t>(numbers_.size()));
     if (is_new)
-      json_.push_back(shape(tree, blank, leader, trace));
+      json_.push_back(shape(tree, leader, answered(blank, trace), kNames<Action>));
     return at->second;
   }
   /// Those that nobody has taken yet.
@@ -114,63 +121,10 @@ class ShapeBook {
   void append(const T& value) {
     key_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  [[nodiscard]] static bool failed(const auto& row) {
-    return row.ticked && row.status == ubf::Status::failure;
-  }
-  [[nodiscard]] static char letter(bool asked, ubf::Status status) {
-    return !asked                           ? '-'
-           : status == ubf::Status::failure ? 'F'
-           : status == ubf::Status::success ? 'S'
-                                            : 'R';
-  }
-  [[nodiscard]] static int index_of(ubf::NodeIndex node) {
-    return node == ubf::kNone ? -1 : static_cast<int>(node);
-  }
-
-  template <class Action>
-  [[nodiscard]] Json shape(std::size_t tree, const std::vector<debrief::Answer>& blank,
-                           ubf::NodeIndex leader, const ubf::Trace<Action>& trace) {
-    std::string status;
-    Json votes = Json::array(), why = Json::array(), supplier = Json::array();
-    const std::vector<debrief::Answer> nodes = answered(blank, trace);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const debrief::Answer& answer = nodes[i];
-      const auto& row = trace.row(static_cast<ubf::NodeIndex>(i));
-      status.push_back(letter(answer.asked, answer.status));
-      votes.push_back(answer.vote);
-      if (failed(row) && !answer.why.empty())
-        why.push_back({i, texts_.number(answer.why)});
-      if (ubf::is_empty(row.proposal.action))
-        continue;
-      Json fields = Json::array({i});
-      for (std::size_t field = 0; field < row.supplier.size(); ++field)
-        fields.push_back(row.held[field] ? -2 - index_of(row.supplier[field])
-                                         : index_of(row.supplier[field]));
-      supplier.push_back(std::move(fields));
-    }
-    return {
-        {"tree", tree}, {"leader", index_of(leader)}, {"status", status},        {"vote", votes},
-        {"why", why},   {"supplier", supplier},       {"won", won(nodes, trace)}};
-  }
-  /// [field, who won it, in words because of what, [[another node that proposed one, votes], ...]]
-  template <class Action>
-  [[nodiscard]] Json won(const std::vector<debrief::Answer>& nodes,
-                         const ubf::Trace<Action>& trace) {
-    Json all = Json::array();
-    const std::vector<team::Won> fields = team::contest(nodes);
-    auto next = fields.begin();
-    ubf::for_each_field<Action>([&](const auto& f, auto field) {
-      if (!(trace.row(0).proposal.action.*f.member))
-        return;
-      Json rivals = Json::array();
-      for (const team::Rival& rival : next->rivals)
-        rivals.push_back({index_of(rival.node), rival.vote});
-      all.push_back({static_cast<std::size_t>(field), index_of(next->winner),
-                     texts_.number(debrief::reason(*next)), std::move(rivals)});
-      ++next;
-    });
-    return all;
-  }
+  /// Of the answers of all nodes; `fields` are those of the action.
+  [[nodiscard]] Json shape(std::size_t tree, ubf::NodeIndex leader,
+                           const std::vector<debrief::Answer>& nodes,
+                           std::span<const std::string_view> fields);
 
   struct Hash {
     std::size_t operator()(const std::string& key) const {
