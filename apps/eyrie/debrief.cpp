@@ -29,7 +29,7 @@ disk::FileRead viewer() {
 /// The engine in the page flies the run again; columns it is where that cannot be. Without data if
 /// it was interrupted.
 page::Part data_of(const debrief::Recorded& recorded, const std::string& shell, bool columns) {
-  if (!columns && recorded.plugins.empty() && page::has_engine(shell))
+  if (!columns && recorded.run.plugins.empty() && page::has_engine(shell))
     return page::run_file_part(recorded.run);
   Progress progress("seconds of the page", static_cast<std::uint64_t>(recorded.until()));
   std::string data = page::page_data(recorded, [&](double time) {

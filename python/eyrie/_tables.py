@@ -42,12 +42,13 @@ class Table(np.ndarray[Any, np.dtype[np.void]]):
     def __setstate__(self, state: Any) -> None:
         values, self.columns, writeable = state
         super().__setstate__(values)
-        self.flags.writeable = writeable
+        if not writeable:  # NumPy refuses to say of some what they are, that they may be written into
+            self.flags.writeable = False
 
     @overload  # type: ignore[override]
     def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
     @overload
-    def __getitem__(self, key: int) -> np.void: ...
+    def __getitem__(self, key: int | np.integer[Any]) -> np.void: ...
     @overload
     def __getitem__(self, key: slice | list[int] | list[str] | npt.NDArray[Any]) -> Table: ...
     def __getitem__(self, key: Any) -> Any:

@@ -23,10 +23,10 @@ from ._native_env import (
     Floats,
     Infos,
     Native,
-    Opponents,
+    Opponents as Opponents,
     Played,
-    Rewards,
-    Saved,
+    Rewards as Rewards,
+    Saved as Saved,
     as_actions,
     no_drawing,
 )
@@ -99,13 +99,28 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Floats, Infos]:
+        """Begins an episode: the first observation of the learner, and the info with its mask.
+
+        Args:
+            seed: of this episode and all after it; None: the next one of the same row of seeds.
+            options: there are none.
+        """
         no_options(options)
         super().reset(seed=seed)
         self._native.core.reset(int(self.np_random.integers(_SEEDS)))
         self._over = False
         return self._native.observations[0, 0].copy(), self._info()
 
-    def step(self, action: Floats) -> tuple[Floats, float, bool, bool, Infos]:
+    def step(self, action: npt.ArrayLike) -> tuple[Floats, float, bool, bool, Infos]:
+        """One decision, 0.1 s: observation, reward, whether it ended, whether the time was up, info.
+
+        What is beyond [-1, 1] is taken as the bound. When the episode is over the observation is its last one.
+
+        Raises:
+            ValueError: NaN, or another shape than that of :attr:`action_space`.
+            gymnasium.error.ResetNeeded: the episode is over.
+            eyrie.FaultError: a step could not be made.
+        """
         self._demand_episode()
         native = self._native
         native.core.step(as_actions(action, (len(native.actions),))[None, None])
@@ -126,6 +141,7 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
         return self._native.observations[0, 0].copy(), self._info()
 
     def close(self) -> None:
+        """Frees the world; after it nothing but close() works."""
         self._native.core.close()
 
     def _demand_episode(self) -> None:
@@ -187,6 +203,12 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
         seed: int | list[int | None] | None = None,
         options: dict[str, Any] | None = None,
     ) -> tuple[Floats, Infos]:
+        """Begins an episode in every world: the first observations, and the info with their masks.
+
+        Args:
+            seed: of all episodes; each world gets its own of it. A list of seeds is a ValueError.
+            options: there are none.
+        """
         if isinstance(seed, list):
             raise ValueError("seed: one for all worlds; each gets its own of it")
         no_options(options)
@@ -195,8 +217,17 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
         return self._given(self._native.observations[:, 0]), self._infos()
 
     def step(
-        self, actions: Floats
+        self, actions: npt.ArrayLike
     ) -> tuple[Floats, npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any], Infos]:
+        """One decision in every world: observations, rewards, terminated, truncated, infos.
+
+        Where an episode ends the next one begins in the same call: the observation is the first of that one.
+        What is beyond [-1, 1] is taken as the bound.
+
+        Raises:
+            ValueError: NaN, or another shape than that of :attr:`action_space`.
+            eyrie.FaultError: a step could not be made.
+        """
         native = self._native
         native.core.step(as_actions(actions, (self.num_envs, len(native.actions)))[:, None])
         return (
@@ -221,6 +252,7 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
         return self._given(self._native.observations[:, 0]), self._infos()
 
     def close_extras(self, **kwargs: Any) -> None:
+        """Ends the threads and frees the worlds; close() calls it."""
         self._native.core.close()
 
     def _given(self, values: npt.NDArray[Any]) -> npt.NDArray[Any]:

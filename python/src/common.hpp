@@ -14,6 +14,7 @@
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
+#include <chrono>
 #include <functional>
 
 #include "core/text.hpp"
@@ -108,12 +109,14 @@ auto without_gil(Use use) {
   try {
     auto result = [&] {
       const GilReleased released;
-      unsigned asked = 0;
+      using Clock = std::chrono::steady_clock;
+      constexpr std::chrono::milliseconds kPatience{50};
+      Clock::time_point next = Clock::now() + kPatience;
       return use([&] {
-        constexpr unsigned kSteps = 1024;
-        if (!signaled && ++asked % kSteps == 0) {
+        if (!signaled && Clock::now() >= next) {
           const GilHeld held;
           signaled = PyErr_CheckSignals() != 0;
+          next = Clock::now() + kPatience;
         }
         return signaled;
       });

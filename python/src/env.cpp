@@ -43,8 +43,12 @@ class VectorEnv {
              actions.shape(2), shape_.envs, shape_.agents, shape_.action);
     const InUse used = use();
     const std::span<const float> numbers(actions.data(), actions.size());
-    const GilReleased released;
-    env_->step(numbers);
+    try {
+      const GilReleased released;
+      env_->step(numbers);
+    } catch (const std::runtime_error& e) {
+      raise("FaultError", e.what());
+    }
   }
   /// Ends its threads and frees its worlds; the arrays stay.
   void close() {

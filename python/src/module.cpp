@@ -2,6 +2,7 @@
 /// \file  The module: how it is left, how exceptions of C++ become those of Python, and its parts.
 #include <atomic>
 #include <chrono>
+#include <system_error>
 #include <thread>
 
 #include "common.hpp"
@@ -55,6 +56,8 @@ void translate(const std::exception_ptr& thrown, void*) {
       set_error(nb::borrow(PyExc_OSError), nb::make_tuple(e.error, words));
   } catch (const nb::builtin_exception&) {  // nanobind's own
     throw;
+  } catch (const std::system_error& e) {  // threads that cannot be started
+    set_error(nb::borrow(PyExc_OSError), nb::make_tuple(e.code().value(), nb::str(e.what())));
   } catch (const std::runtime_error& e) {
     const nb::object type = error_type("RunError");
     set_error(type, type(printable_lines(e.what())));

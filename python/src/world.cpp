@@ -176,7 +176,7 @@ class World {
     if (is_forked())
       raise("Error",
             "a world with several workers does not live on in a forked process: its threads are "
-            "not there; make it anew, or copy() one with a single worker");
+            "not there; make one anew there, or let a world with a single worker be forked");
     return {in_use_,
             "this world is being stepped, by another thread or by who asks now; a copy() may be "
             "used meanwhile"};

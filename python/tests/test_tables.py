@@ -83,6 +83,17 @@ def test_arrow_keeps_the_units(run: eyrie.Run) -> None:
     assert table["player"][0].as_py() == run.tracks()["player"][0]
 
 
+def test_tables_of_some_rows_go_to_other_processes(run: eyrie.Run) -> None:
+    events = run.events
+    last = events[np.argmax(events["time_s"])]
+    assert last["time_s"] == events["time_s"].max()
+    for table in (events.copy(), events[events["event"] == "launch"], events[[0, 1]], events[:2]):
+        for protocol in (2, 4, 5):
+            back = pickle.loads(pickle.dumps(table, protocol))
+            assert np.array_equal(back, table)
+            assert back.columns == table.columns
+
+
 def test_a_table_is_pickled_with_its_units(run: eyrie.Run) -> None:
     events = pickle.loads(pickle.dumps(run.events))
     assert events.columns == run.events.columns and events.tobytes() == run.events.tobytes()

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/executor.hpp"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <condition_variable>
 #include <latch>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -68,9 +71,9 @@ struct Executor::Pool {
     try {
       for (unsigned i = 0; i < helpers; ++i)
         threads.emplace_back([this] { help(); });
-    } catch (...) {
+    } catch (const std::system_error& e) {
       end();  // those that did start
-      throw;
+      throw std::system_error(e.code(), fmt::format("{} threads cannot be started", helpers + 1));
     }
     started.wait();  // what a thread allocates to start is not left for the first call
   }

@@ -59,7 +59,9 @@ TEST_F(PluggedProgram, FindsThePluginBesideTheScenario) {
   EXPECT_EQ(run.plugins[0].path,
             std::filesystem::canonical(folder / "dir/lib/libgood.so").string());
   // an arbiter of a plug-in is traced as any other
-  EXPECT_TRUE(std::filesystem::exists(folder / "run/debrief.html"));
+  EXPECT_NE(read_text(folder / "run/debrief.html").find("type=\"application/x-eyrie-run\""),
+            std::string::npos)
+      << "the page of a plug-in's run has columns: its engine cannot fly that";
   const Ran why = trusting({"explain", "run", "--player", "eagle1", "--at", "1"});
   EXPECT_EQ(why.code, 0) << why.err;
   EXPECT_NE(why.out.find("> last_word"), std::string::npos) << why.out;
