@@ -95,7 +95,7 @@ def test_wrong_actions_are_refused() -> None:
     env.reset(seed=1)
     for actions in (np.zeros((3, n)), np.zeros((2, n + 1)), np.zeros(n)):
         with pytest.raises(ValueError, match="shape"):
-            env.step(actions)  # type: ignore[arg-type]
+            env.step(actions)
     with pytest.raises(ValueError):
         env.step(np.full((2, n), np.nan, np.float32))
     with pytest.raises(ValueError, match="one for all"):
@@ -410,7 +410,7 @@ def test_types_of_arguments_can_be_named() -> None:
     rewards: envs.Rewards = {"win": 2.0}
     env = envs.VectorEnv("merge", 2, opponents=opponents, rewards=rewards)
     env.reset(seed=1)
-    env.step(np.zeros((2, env.single_action_space.shape[0])))  # of any kind of number
+    env.step(np.zeros((2, len(env.actions))))  # of any kind of number
     saved: envs.Saved = env.save()
     env.restore(saved)
     env.close()

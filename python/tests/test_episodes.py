@@ -36,4 +36,4 @@ def test_who_learns_alone_goes_on_among_several() -> None:
 def test_a_policy_of_ours_is_an_opponent_from_anywhere() -> None:
     env = envs.Env("merge", opponents={"bandit1": ["eyrie:scenarios/policies/merge.safetensors"]})
     env.reset(seed=1)
-    env.step(np.zeros(env.action_space.shape, np.float32))  # type: ignore[arg-type]
+    env.step(np.zeros(env.action_space.shape, np.float32))
