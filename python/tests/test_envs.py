@@ -5,8 +5,6 @@ import json
 import os
 import pickle
 import struct
-import subprocess
-import sys
 import time
 import warnings
 from pathlib import Path
@@ -391,26 +389,3 @@ replace: {{blue.flights.viper.tree: learned}}
 def test_votes_are_saved_as_votes() -> None:
     words = envs.Env("merge_votes").policy_words
     assert words["votes"] == "linear" and "controls" not in words
-
-
-def test_threads_that_cannot_be_started_are_named() -> None:
-    tried = """
-import resource
-from eyrie import envs
-resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))  # less than their stacks
-envs.VectorEnv("merge", 256, threads=256)
-"""
-    said = subprocess.run([sys.executable, "-P", "-c", tried], capture_output=True, text=True)
-    assert said.stderr.splitlines()[-1].endswith("256 threads cannot be started: Resource temporarily unavailable")
-    assert "BlockingIOError" in said.stderr  # what Python calls an OSError of that number
-
-
-def test_types_of_arguments_can_be_named() -> None:
-    opponents: envs.Opponents = {"bandit1": ["veteran"]}
-    rewards: envs.Rewards = {"win": 2.0}
-    env = envs.VectorEnv("merge", 2, opponents=opponents, rewards=rewards)
-    env.reset(seed=1)
-    env.step(np.zeros((2, len(env.actions))))  # of any kind of number
-    saved: envs.Saved = env.save()
-    env.restore(saved)
-    env.close()
