@@ -105,7 +105,7 @@ class World:
             words: what the kind asks for; ``player=`` or ``flight=`` says whom it means.
 
         Raises:
-            ValueError: with what is wrong with it.
+            ValueError: with what is wrong with it, or the mission is over.
         """
         if "do" in words:
             raise ValueError(f"do: an order has no such word, got {words['do']!r}")

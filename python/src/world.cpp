@@ -65,6 +65,9 @@ class World {
 
   void order(const std::string& json, std::optional<std::uint64_t> at) {
     const InUse used = use();
+    if (mission_->outcome() != scenario::Outcome::running)
+      refuse("the mission is over ({}): nobody carries out an order any more",
+             enum_name(mission_->outcome()));
     scenario::OperatorOrders asked =
         scenario::orders_from_json(*scenario_, json, at.value_or(world().step()));
     leave_out_unable(asked, *scenario_, world(), mission_->run().orders_for(world().step()));

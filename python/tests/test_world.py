@@ -174,6 +174,8 @@ def test_a_copy_of_what_is_over_is_over() -> None:
     world.step(10**9)
     for one in (world, world.copy(), pickle.loads(pickle.dumps(world))):
         assert one.over and one.outcome == "time"
+        with pytest.raises(ValueError, match=r"the mission is over \(time\)"):
+            one.order("weapons", player="viper1", weapons="hold")
 
 
 def _hash_after(world: eyrie.World, steps: int) -> str:
