@@ -12,9 +12,6 @@
 namespace eyrie::train {
 namespace {
 
-/// Environments are cut into so many runs per worker, so that none waits long for another.
-constexpr std::size_t kLanesPerWorker = 4;
-
 /// Bytes that this program can still take: what the machine has left, at most what the group of
 /// processes that it is in may have; infinity where neither is told.
 double memory_left() {
@@ -104,8 +101,7 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
   for (std::size_t env = 0; env < options_.envs; ++env)
     slots_.emplace_back(*scenario_, learners_.size(), task_.votes ? action_names_.size() : 0,
                         env < options_.keep_episodes ? room_ : 0);
-  const std::size_t lanes =
-      std::min(options_.envs, options_.workers == 1 ? 1 : options_.workers * kLanesPerWorker);
+  const std::size_t lanes = std::min<std::size_t>(options_.envs, options_.workers);
   const std::size_t at_once = scenario_->orders.size() + choices_.size() +
                               learners_.size() * std::max<std::size_t>(1, action_names_.size());
   for (std::size_t i = 0; i < lanes; ++i)

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  What an environment keeps from decision to decision, and what a thread needs to step
 /// some.
+#include <atomic>
 #include <stdexcept>
 
 #include "pilot/pilot_system.hpp"
@@ -67,6 +68,7 @@ struct VectorEnv::Lane {
   }
   std::vector<std::unique_ptr<One>> ones;
   scenario::Judge judge;
+  std::atomic_flag in_use;  ///< by a thread
 };
 
 /// Calls `use` with what the pilot of an aircraft perceives between two steps; false if it is gone.

@@ -108,13 +108,16 @@ void VectorEnv::step(std::span<const float> actions) {
 
 template <class Use>
 void VectorEnv::each_run(Use use) {
-  const std::size_t lanes = lanes_.size(), envs = shape_.envs;
-  executor_->for_chunks(lanes * kChunk, [&](std::size_t i, std::size_t, std::size_t) {
-    const std::size_t end = (i + 1) * envs / lanes;
-    for (std::size_t env = i * envs / lanes, next; env < end; env = next) {
-      next = std::min(end, env + lanes_[i]->ones.size());
-      use(*lanes_[i], env, next);
-    }
+  // as many groups for each worker, none larger than what a lane can step together
+  const std::size_t envs = shape_.envs, workers = lanes_.size();
+  const std::size_t most = workers * sim::kMostTogether;
+  const std::size_t groups = workers * ((envs + most - 1) / most);
+  executor_->for_chunks(groups * kChunk, [&](std::size_t i, std::size_t, std::size_t) {
+    const auto free = std::ranges::find_if(lanes_, [](const auto& lane) {
+      return !lane->in_use.test_and_set(std::memory_order_acquire);
+    });
+    use(**free, i * envs / groups, (i + 1) * envs / groups);
+    (*free)->in_use.clear(std::memory_order_release);
   });
 }
 

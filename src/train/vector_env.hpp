@@ -166,8 +166,7 @@ class VectorEnv {
   std::uint64_t hash_ = 0;  ///< of the task
   std::size_t room_ = 0;    ///< for the orders of the longest episode
   std::vector<Slot> slots_;
-  std::vector<std::unique_ptr<Lane>>
-      lanes_;  ///< each a run of environments, for one thread at a time
+  std::vector<std::unique_ptr<Lane>> lanes_;  ///< one for each worker
   std::unique_ptr<Executor> executor_;
 };
 
