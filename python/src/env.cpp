@@ -43,12 +43,8 @@ class VectorEnv {
              actions.shape(2), shape_.envs, shape_.agents, shape_.action);
     const InUse used = use();
     const std::span<const float> numbers(actions.data(), actions.size());
-    try {
-      const GilReleased released;
-      env_->step(numbers);
-    } catch (const std::runtime_error& e) {
-      raise("FaultError", e.what());
-    }
+    const GilReleased released;
+    env_->step(numbers);
   }
   /// Ends its threads and frees its worlds; the arrays stay.
   void close() {

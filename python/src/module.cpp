@@ -8,6 +8,7 @@
 #include "common.hpp"
 #include "core/version.hpp"
 #include "disk/file_system.hpp"
+#include "train/vector_env.hpp"
 
 namespace eyrie::python {
 namespace {
@@ -59,7 +60,8 @@ void translate(const std::exception_ptr& thrown, void*) {
   } catch (const std::system_error& e) {  // threads that cannot be started
     set_error(nb::borrow(PyExc_OSError), nb::make_tuple(e.code().value(), nb::str(e.what())));
   } catch (const std::runtime_error& e) {
-    const nb::object type = error_type("RunError");
+    const nb::object type =
+        error_type(dynamic_cast<const train::Faulted*>(&e) ? "FaultError" : "RunError");
     set_error(type, type(printable_lines(e.what())));
   }
 }

@@ -15,15 +15,16 @@ char letter(const debrief::Answer& answer) {
                                                  : 'R';
 }
 
-std::size_t number_of(std::span<const std::string_view> fields, const debrief::Value& value) {
-  return static_cast<std::size_t>(std::ranges::find(fields, value.name) - fields.begin());
+std::size_t number_of(std::span<const ubf::ActionFieldInfo> fields, const debrief::Value& value) {
+  return static_cast<std::size_t>(
+      std::ranges::find(fields, value.name, &ubf::ActionFieldInfo::name) - fields.begin());
 }
 
 }  // namespace
 
 Json ShapeBook::shape(std::size_t tree, ubf::NodeIndex leader,
                       const std::vector<debrief::Answer>& nodes,
-                      std::span<const std::string_view> fields) {
+                      std::span<const ubf::ActionFieldInfo> fields) {
   std::string status;
   Json votes = Json::array(), why = Json::array(), suppliers = Json::array(), won = Json::array();
   for (std::size_t i = 0; i < nodes.size(); ++i) {

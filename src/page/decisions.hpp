@@ -34,14 +34,6 @@ class TextBook {
   std::size_t taken_ = 0;
 };
 
-/// The fields of an action by name.
-template <class Action>
-inline constexpr auto kNames = [] {
-  std::array<std::string_view, ubf::kFields<Action>> names;
-  ubf::for_each_field<Action>([&](const auto& f, auto i) { names[i] = f.name; });
-  return names;
-}();
-
 /// What the nodes of a tree, `all` of which are blank, answered, without values: enough to tell who
 /// won, and why.
 template <class Action>
@@ -51,17 +43,14 @@ template <class Action>
     const auto node = static_cast<ubf::NodeIndex>(i);
     const auto& row = trace.row(node);
     debrief::Answer& answer = all[i];
-    answer.asked = row.ticked;
-    answer.status = row.status;
-    answer.vote = row.proposal.vote;
-    answer.given = team::given_vote(trace, node);
+    team::take_votes(answer, trace, node);
     if (const char* said = row.ticked ? trace.why(node) : nullptr)
       answer.why = said;
     else if (!row.ticked || row.status != ubf::Status::failure)
       answer.why.clear();
     for (std::size_t f = 0; f < row.supplier.size(); ++f)
       if (row.supplier[f] != ubf::kNone)
-        answer.action.push_back({.name = std::string(kNames<Action>[f]),
+        answer.action.push_back({.name = std::string(ubf::action_fields<Action>()[f].name),
                                  .held = row.held[f],
                                  .supplier = row.supplier[f]});
   }
@@ -109,7 +98,7 @@ class ShapeBook {
     const auto [at, is_new] =
         numbers_.try_emplace(key_, static_cast<std::int64_t>(numbers_.size()));
     if (is_new)
-      json_.push_back(shape(tree, leader, answered(blank, trace), kNames<Action>));
+      json_.push_back(shape(tree, leader, answered(blank, trace), ubf::action_fields<Action>()));
     return at->second;
   }
   /// Those that nobody has taken yet.
@@ -124,7 +113,7 @@ class ShapeBook {
   /// Of the answers of all nodes; `fields` are those of the action.
   [[nodiscard]] Json shape(std::size_t tree, ubf::NodeIndex leader,
                            const std::vector<debrief::Answer>& nodes,
-                           std::span<const std::string_view> fields);
+                           std::span<const ubf::ActionFieldInfo> fields);
 
   struct Hash {
     std::size_t operator()(const std::string& key) const {

@@ -57,6 +57,16 @@ std::optional<float> given_vote(const ubf::Trace<Action>& trace, ubf::NodeIndex 
                                                                 : std::optional(vote);
 }
 
+/// Whether and what a node answered, and its votes.
+template <class Action>
+void take_votes(Answer& answer, const ubf::Trace<Action>& trace, ubf::NodeIndex node) {
+  const auto& row = trace.row(node);
+  answer.asked = row.ticked;
+  answer.status = row.status;
+  answer.vote = row.proposal.vote;
+  answer.given = given_vote(trace, node);
+}
+
 template <class State, class Action>
 std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Action>& tree,
                             const ubf::Trace<Action>& trace) {
@@ -64,10 +74,7 @@ std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Acti
     const auto index = static_cast<ubf::NodeIndex>(i);
     const auto& row = trace.row(index);
     Answer& answer = all[i];
-    answer.asked = row.ticked;
-    answer.status = row.status;
-    answer.vote = row.proposal.vote;
-    answer.given = given_vote(trace, index);
+    take_votes(answer, trace, index);
     answer.halts = row.halts;
     answer.action = values_of(row.proposal.action);
     auto value = answer.action.begin();

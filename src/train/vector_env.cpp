@@ -123,7 +123,7 @@ void VectorEnv::each_run(Use use) {
 
 void VectorEnv::tell_fault(std::size_t env) const {
   if (slots_[env].fault)
-    throw std::runtime_error(fmt::format(
+    throw Faulted(fmt::format(
         "environment {}, episode {}: {}", env, slots_[env].seed,
         scenario::fault_text(*slots_[env].fault, scenario_->roster, scenario_->simulation->dt())));
 }

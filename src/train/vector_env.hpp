@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Many worlds of one task, stepped together: actions in, observations and rewards out.
+#include <stdexcept>
+
 #include "core/executor.hpp"
 #include "pilot/policy/controls.hpp"
 #include "pilot/policy/observation.hpp"
@@ -33,6 +35,11 @@ struct Results {
   std::vector<std::uint8_t> last_masks;  ///< as masks, likewise
 };
 
+/// A step that an environment could not make.
+struct Faulted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 struct Options {
   std::size_t envs = 1;
   unsigned workers = 1;           ///< threads, the calling one included; they change speed alone
@@ -61,7 +68,7 @@ struct Finished {
 /// Misuse (actions of another size, one that is NaN, one of a dead agent that is not 0) throws
 /// std::invalid_argument with words before anything is changed. A scenario's mistakes throw
 /// ConfigError, the constructor's others std::invalid_argument. A step that cannot be finished (a
-/// node that throws), also of those that an episode begins with, throws std::runtime_error; then
+/// node that throws), also of those that an episode begins with, throws Faulted; then
 /// only reset() and reset_one() go on.
 class VectorEnv {
  public:
