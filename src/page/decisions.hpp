@@ -145,8 +145,10 @@ template <class Action>
   Json fields = Json::array();
   ubf::for_each_field<Action>([&](const auto& f, auto) {
     using Field = std::remove_cvref_t<decltype(f)>;
-    fields.push_back(
-        {{"name", f.name}, {"unit", f.unit.si_symbol}, {"kind", column_kind<Field>()}});
+    fields.push_back({{"name", f.name},
+                      {"unit", f.unit.si_symbol},
+                      {"form", team::form_of(f.name, f.unit.dimension)},
+                      {"kind", column_kind<Field>()}});
   });
   return fields;
 }

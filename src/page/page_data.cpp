@@ -92,6 +92,7 @@ class Platform {
       const auto kind = field.info.kind;
       Json one{{"name", field.info.name},
                {"unit", field.info.unit.si_symbol},
+               {"form", team::form_of(field.info.name, field.info.unit.dimension)},
                {"kind", kind == ubf::FieldKind::number ? "number"
                         : kind == ubf::FieldKind::flag ? "flag"
                                                        : "choice"},

@@ -94,22 +94,28 @@ struct Decision {
   PlayerId attacks{};  ///< whom it attacks from then on, in truth; nobody if it has no target
 };
 
-/// "045°", "6000 ft", "467 kt"; "-" for no value, "never" for infinity. Headings and bearings are
-/// directions, from 000 to 359; heights are in feet however large they are, climbs in feet per
-/// minute. With so many more decimals.
+/// As what a number of this name reads: "height" is in feet however large it is, "climb" in feet
+/// per minute, "direction" from 000 to 359; "quantity" as its dimension does.
+[[nodiscard]] inline std::string_view form_of(std::string_view name, Dimension dimension) {
+  const auto is_one_of = [&](auto... names) { return (... || (name == names)); };
+  return name.find("altitude") != name.npos || name.find("above") != name.npos        ? "height"
+         : is_one_of("climb_rate", "excess_power")                                    ? "climb"
+         : dimension == Dimension::angle && is_one_of("heading", "bearing", "course") ? "direction"
+                                                                                      : "quantity";
+}
+
+/// "045°", "6000 ft", "467 kt"; "-" for no value, "never" for infinity. With so many more decimals.
 [[nodiscard]] inline std::string number_text(std::string_view name, Dimension dimension,
                                              double number, int more = 0) {
   if (std::isnan(number))
     return "-";
   if (std::isinf(number))
     return "never";
-  const bool height = name.find("altitude") != name.npos || name.find("above") != name.npos;
-  const bool climb = name == "climb_rate" || name == "excess_power";
-  const bool direction = name == "heading" || name == "bearing" || name == "course";
-  return height                                       ? format_height(number, more)
-         : climb                                      ? format_climb(number, more)
-         : direction && dimension == Dimension::angle ? format_direction(number, more)
-                                                      : format_quantity(number, dimension, more);
+  const std::string_view form = form_of(name, dimension);
+  return form == "height"      ? format_height(number, more)
+         : form == "climb"     ? format_climb(number, more)
+         : form == "direction" ? format_direction(number, more)
+                               : format_quantity(number, dimension, more);
 }
 
 [[nodiscard]] inline Value number_value(std::string_view name, const Unit& unit, double number) {

@@ -3,12 +3,12 @@
 import type { ActionField, Player, Run, Shape, Status, Tree, TreeNode } from '../src/run/run.ts';
 
 export const kFields: ActionField[] = [
-  { name: 'heading', unit: 'rad', kind: 'number' },
-  { name: 'altitude', unit: 'm', kind: 'number' },
-  { name: 'speed', unit: 'm/s', kind: 'number' },
-  { name: 'mode', unit: '', kind: 'text' },
-  { name: 'target', unit: '', kind: 'id' },
-  { name: 'trigger', unit: '', kind: 'flag' },
+  { name: 'heading', unit: 'rad', form: 'direction', kind: 'number' },
+  { name: 'altitude', unit: 'm', form: 'height', kind: 'number' },
+  { name: 'speed', unit: 'm/s', form: 'quantity', kind: 'number' },
+  { name: 'mode', unit: '', form: 'quantity', kind: 'text' },
+  { name: 'target', unit: '', form: 'quantity', kind: 'id' },
+  { name: 'trigger', unit: '', form: 'quantity', kind: 'flag' },
 ];
 export type FieldName = 'heading' | 'altitude' | 'speed' | 'mode' | 'target' | 'trigger';
 /** What a leaf says; by default it is running. */

@@ -11,7 +11,7 @@ import { fixed, general, outcome_text, read_clock, read_vote, reworded, side_tex
 const kRun = { texts: ['hold', 'follow'] } as unknown as Run;
 
 function text(field: Partial<FieldInfo>, value: number): string {
-  return value_text(kRun, { name: 'x', unit: '', kind: 'number', ...field }, value);
+  return value_text(kRun, { unit: '', form: 'quantity', kind: 'number', ...field }, value);
 }
 
 test('decimals round halves to even', () => {
@@ -32,7 +32,7 @@ test('quantities read as in the terminal, in either system', () => {
   assert.ok(lines.length > 20);
   for (const line of lines) {
     const [, kind, si, aviation, metric] = /^(\S+) +(\S+) +\| (.*?) +\| (.*)$/.exec(line)!;
-    const field = { height: { name: 'altitude', unit: 'm' }, climb: { name: 'climb_rate', unit: 'm/s' }, direction: { name: 'heading', unit: 'rad' }, 1: {} }[kind!] ?? { unit: kind! };
+    const field: Partial<FieldInfo> = kind === 'height' || kind === 'climb' || kind === 'direction' ? { form: kind } : { unit: kind === '1' ? '' : kind! };
     const said = () => (kind === 'side' ? side_text(Number(si)) : text(field, Number(si)));
     speak('metric');
     assert.equal(said(), metric, line);
@@ -72,7 +72,7 @@ test('why a mission was over is in words', () => {
 });
 
 test('what is not a number is in words', () => {
-  assert.equal(text({ name: 'heading', unit: 'rad' }, NaN), '-');
+  assert.equal(text({ form: 'direction' }, NaN), '-');
   assert.deepEqual([0, 1, NaN].map((x) => text({ kind: 'text' }, x)), ['hold', 'follow', '-']);
   assert.deepEqual([0, 1, NaN].map((x) => text({ kind: 'flag' }, x)), ['false', 'true', '-']);
   assert.deepEqual([0, 3, NaN].map((x) => text({ kind: 'id' }, x)), ['nobody', '#3', '-']);

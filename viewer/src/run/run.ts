@@ -90,16 +90,18 @@ export interface StoryLine {
   decided: number;  // s, when that was made, or later.
 }
 
-export interface ActionField {
+interface NamedField {
   name: string;
   unit: string;  // SI: "rad", "m", "m/s", "".
+  form: 'quantity' | 'height' | 'climb' | 'direction';  // As what its numbers read.
+}
+
+export interface ActionField extends NamedField {
   /** number: the value itself; text: an index into Run.texts; id: a track's number, 0 for nobody. */
   kind: 'number' | 'text' | 'flag' | 'id';
 }
 
-export interface StateField {
-  name: string;
-  unit: string;
+export interface StateField extends NamedField {
   kind: 'number' | 'flag' | 'choice';
   choices: string[];
 }

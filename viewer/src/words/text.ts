@@ -47,7 +47,7 @@ export function size_of_unit([, numerator, denominator = 1]: Unit): number {
 }
 
 /** What value_text needs of an ActionField or a StateField; only a field of the state has choices. */
-export type FieldInfo = Pick<StateField, 'name' | 'unit'> & Partial<Pick<StateField, 'choices'>> & { kind: string };
+export type FieldInfo = Pick<StateField, 'unit' | 'form'> & Partial<Pick<StateField, 'choices'>> & { kind: string };
 
 function in_unit(si: number, [symbol, numerator, denominator = 1, decimals = 0, offset = 0]: Unit): string {
   const number = fixed(((si - offset) * denominator) / numerator, decimals);
@@ -103,7 +103,7 @@ export function reworded(text: string): string {
 }
 
 /** A value in SI of a field of an action or of a state; NaN: not set. */
-export function value_text(run: Run, { name, unit, kind, choices }: FieldInfo, value: number): string {
+export function value_text(run: Run, { unit, form, kind, choices }: FieldInfo, value: number): string {
   if (kind === 'flag' && choices) return value === 1 ? 'yes' : 'no';
   if (Number.isNaN(value)) return '-';
   if (!Number.isFinite(value)) return 'never';
@@ -116,10 +116,16 @@ export function value_text(run: Run, { name, unit, kind, choices }: FieldInfo, v
       return choices?.[value] ?? '-';
     case 'id':
       return value ? `#${value}` : 'nobody';
+  }
+  switch (form) {
+    case 'direction':
+      return heading_text(value);
+    case 'climb':
+      return in_unit(value, spoken().climb);
+    case 'height':
+      return height_text(value);
     default:
-      if (unit === 'rad' && /^(heading|bearing|course)$/.test(name)) return heading_text(value);
-      if (/^(climb_rate|excess_power)$/.test(name)) return in_unit(value, spoken().climb);
-      return /altitude|above/.test(name) ? height_text(value) : quantity_text(value, unit);
+      return quantity_text(value, unit);
   }
 }
 
