@@ -44,12 +44,13 @@ bool is_part_of(const std::vector<Answer>& nodes, ubf::NodeIndex leaf, ubf::Node
 
 std::vector<Answer> unanswered(const ubf::AnyTree& tree) {
   std::vector<Answer> all;
+  std::vector<std::string> paths = tree.paths();
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const auto index = static_cast<ubf::NodeIndex>(i);
     const ubf::AnyNode& node = tree.node(index);
     Answer answer{.label = spoken(node),
                   .type = std::string(node.type()),
-                  .path = tree.path(index),
+                  .path = std::move(paths[i]),
                   .where = node.where(),
                   .decided_by = std::string(node.decided_by()),
                   .depth = static_cast<std::uint16_t>(tree.depth(index)),

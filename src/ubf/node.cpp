@@ -97,9 +97,14 @@ void AnyTree::place(AnyNode& node, NodeIndex parent, std::size_t depth) {
 std::string AnyTree::path(NodeIndex index) const {
   if (index == 0)
     return "root";
+  return path_below(path(nodes_[index].parent), index);
+}
+
+std::string AnyTree::path_below(std::string above, NodeIndex index) const {
   const Place& it = nodes_[index];
-  std::string text = fmt::format("{}/{}", path(it.parent), it.node->label());
-  return it.among == kNone ? text : fmt::format("{}[{}]", text, it.among);
+  above += '/';
+  above += it.node->label();
+  return it.among == kNone ? above : fmt::format("{}[{}]", above, it.among);
 }
 
 std::optional<NodeIndex> AnyTree::find(std::string_view path) const {
@@ -112,7 +117,7 @@ std::optional<NodeIndex> AnyTree::find(std::string_view path) const {
 std::vector<std::string> AnyTree::paths() const {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < size(); ++i)
-    all.push_back(path(static_cast<NodeIndex>(i)));
+    all.push_back(i == 0 ? "root" : path_below(all[nodes_[i].parent], static_cast<NodeIndex>(i)));
   return all;
 }
 

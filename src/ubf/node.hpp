@@ -192,6 +192,7 @@ class AnyTree {
   };
   void lay_out();
   void place(AnyNode& node, NodeIndex parent, std::size_t depth);
+  [[nodiscard]] std::string path_below(std::string path_of_parent, NodeIndex index) const;
 
   std::string name_;
   std::unique_ptr<AnyNode> root_;
