@@ -109,6 +109,12 @@ void Diagnostics::merge(const Diagnostics& other) {
   count_ = total;
 }
 
+void Diagnostics::trace_to(std::size_t before, const Location& where, std::string_view words) {
+  for (std::size_t i = before; i < found_.size(); ++i)
+    if (found_[i].where.file != where.file || found_[i].where.line != where.line)
+      found_[i].message += fmt::format(" ({} {})", words, where.text());
+}
+
 std::vector<Diagnostic> Diagnostics::sorted() const {
   // the place of each mistake: its file by first appearance, line, column, and order of reporting
   using Place = std::tuple<std::size_t, int, int, std::size_t>;

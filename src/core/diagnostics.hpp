@@ -65,6 +65,9 @@ class Diagnostics {
     return error(where, fmt::format(message, std::forward<T>(values)...));
   }
   void merge(const Diagnostics& other);
+  /// Says of what was reported after the first `before` also where it comes from, except of what
+  /// stands there itself.
+  void trace_to(std::size_t before, const Location& where, std::string_view words);
 
   [[nodiscard]] bool ok() const { return count_ == 0; }
   /// Throws ConfigError with all of them if there are any.

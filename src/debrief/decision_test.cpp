@@ -143,6 +143,16 @@ TEST(Decision, SaysWhatDecidedWhereVotesDidNot) {
   EXPECT_EQ(reason(contested()), "nobody else's came up to it") << "who does not vote abstains";
 }
 
+TEST(Decision, SaysWhyAnEqualVoteDidNotLead) {
+  Decision d = in_two_phases(false);
+  d.nodes[3].vote = d.nodes[2].vote;
+  EXPECT_EQ(why_not(d, 3), "navigate voted 40 against 40, and comes later");
+  d.leader = 3;
+  EXPECT_EQ(why_not(d, 2), "pursue voted 40 against 40, and votes did not decide");
+  d.nodes[2].set_aside = "refused: climb is out of bounds";
+  EXPECT_EQ(why_not(d, 2), "pursue voted 40 against 40, refused: climb is out of bounds");
+}
+
 TEST(Decision, FindsWhereTwoWaysPart) {
   const Decision d = in_two_phases(false);
   const auto pair = [](ubf::NodeIndex a, ubf::NodeIndex b) { return std::pair(a, b); };
@@ -176,6 +186,11 @@ TEST(Decision, SaysHowAFieldWasWon) {
   EXPECT_EQ(reason(won), "voted 50 as the other did, and comes first");
   won.rivals = {{.node = 3, .against = 10, .vote = 50}};
   EXPECT_EQ(reason(won), "10 against 50, and votes did not decide");
+  won.rivals = {{.node = 1, .against = 50, .vote = 50}};
+  EXPECT_EQ(reason(won), "50 against 50, and votes did not decide") << "it stands before the winner";
+  won.rivals[0].set_aside = "refused: climb is out of bounds";
+  EXPECT_EQ(reason(won), "50 against 50, refused: climb is out of bounds");
+  won.rivals[0].set_aside.clear();
   won.rivals[0].came_up = false;
   EXPECT_EQ(reason(won), "nobody else's came up to it");
   won.rivals[0].blended = true;

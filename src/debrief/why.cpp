@@ -41,12 +41,15 @@ std::vector<std::string> unmet(const Decision& now, ubf::NodeIndex node) {
 }
 
 /// Because of what a node was not asked: what the sibling that was asked last has to say, if that
-/// failed; a node that goes on, or was chosen, says so itself.
+/// failed, or else the node above; a node that goes on, or was chosen, says so itself.
 std::string because_of(const Decision& now, ubf::NodeIndex left, ubf::NodeIndex parent) {
   std::vector<std::string> failed;
   for (std::size_t n = parent + 1U; n < left; ++n)
     if (now.nodes[n].parent == parent && now.nodes[n].asked)
       failed = unmet(now, static_cast<ubf::NodeIndex>(n));
+  const Answer& above = now.nodes[parent];
+  if (failed.empty() && above.status == ubf::Status::failure && !above.why.empty())
+    failed = {above.label + " " + words(above)};
   return failed.empty() ? "" : fmt::format(": {}", fmt::join(failed, ", "));
 }
 
@@ -67,8 +70,10 @@ std::string transition(const Decision& now, ubf::NodeIndex sequencer) {
 }
 
 /// What decided in the place of votes.
-std::string decided(const std::string& by) {
-  return by.empty() ? ", and votes did not decide" : ", and " + by + " decided";
+std::string decided(const std::string& by, const std::string& set_aside) {
+  return !set_aside.empty() ? ", " + set_aside
+         : by.empty()       ? ", and votes did not decide"
+                            : ", and " + by + " decided";
 }
 
 }  // namespace
@@ -83,8 +88,10 @@ std::string reason(const Won& won) {
     return fmt::format("blended of {}", std::ranges::count_if(won.rivals, &Rival::blended));
   if (!next.came_up)
     return "nobody else's came up to it";
-  if (!next.decided_by.empty() || next.vote > next.against)
-    return fmt::format("{:g} against {:g}{}", next.against, next.vote, decided(next.decided_by));
+  const bool beaten = next.against > next.vote || (next.against == next.vote && won.winner < next.node);
+  if (!next.decided_by.empty() || !next.set_aside.empty() || !beaten)
+    return fmt::format("{:g} against {:g}{}", next.against, next.vote,
+                       decided(next.decided_by, next.set_aside));
   return next.against > next.vote
              ? fmt::format("voted {:g} against {:g}", next.against, next.vote)
              : fmt::format("voted {:g} as the other did, and comes first", next.vote);
@@ -132,13 +139,15 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
   const ubf::NodeIndex lost = team::lost_in(now.nodes, before, its);
   const float voted = now.nodes[its].counted(), against = now.nodes[mine].counted();
   const std::string& by = team::decided_by(now.nodes, {mine, its});
+  const std::string& set_aside = now.nodes[its].set_aside;
+  const bool beaten = voted < against || (voted == against && mine < its);
   return fmt::format(
       "{}{} voted {:g} against {:g}{}", then.label,
       lost == ubf::kNone ? "" : fmt::format(" lost in {}, which", now.nodes[lost].label), voted,
       against,
-      !by.empty() || voted > against ? decided(by)
-      : voted == against             ? ", and comes later"
-                                     : "");
+      !by.empty() || !set_aside.empty() || !beaten ? decided(by, set_aside)
+      : voted == against                           ? ", and comes later"
+                                                   : "");
 }
 
 }  // namespace eyrie::debrief

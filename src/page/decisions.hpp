@@ -80,7 +80,7 @@ class ShapeBook {
       }
       const float vote = row.proposal.vote;
       const auto given = team::given_vote(trace, node);
-      const char* why = row.status == ubf::Status::failure ? trace.why(node) : nullptr;
+      const char* why = trace.why(node);
       const bool proposes = !ubf::is_empty(row.proposal.action);
       append(static_cast<char>((1 + static_cast<int>(row.status)) | (vote != 0) << 4 |
                                given.has_value() << 5 | (why != nullptr) << 6 | proposes << 7));

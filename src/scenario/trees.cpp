@@ -116,6 +116,17 @@ bool is_given_to(const PlayerKind& kind, std::string_view tree,
   });
 }
 
+/// How many words of a tree as written are names of nodes to a registry.
+template <class Registry>
+std::size_t known_words(const Value& value, const Registry& registry) {
+  std::size_t known = value.is_scalar() && registry.find(value.text) ? 1 : 0;
+  for (const Value& item : value.items)
+    known += known_words(item, registry);
+  for (const Value::Entry& e : value.entries)
+    known += (registry.find(e.key) ? 1 : 0) + known_words(e.value, registry);
+  return known;
+}
+
 /// One kind of platform.
 template <class Trees, class Registry>
 struct Shelf {
@@ -230,7 +241,10 @@ TreeBook TreeBook::read(const Value& document, const Plans& plans,
         continue;  // who refers to it reads it
       }
       if (!sound)
-        diagnostics.merge(on_ground.count() < in_air.count() ? on_ground : in_air);
+        diagnostics.merge(known_words(*spec.value, registries.drivers) >
+                                  known_words(*spec.value, registries.pilots)
+                              ? on_ground
+                              : in_air);
     }
     if (!sound)
       book.broken_.push_back(spec.name);

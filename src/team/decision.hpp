@@ -31,6 +31,7 @@ struct Answer {
   std::optional<float> given = {};  ///< the vote that its arbiter put in the place of its own
   std::uint16_t halts = 0;          ///< how often it was made to forget
   std::string why;            ///< it failed, or what its vote followed: "range 0.53"; may be ""
+  std::string set_aside = {};  ///< why the node above did not take it: "refused: ..."; may be ""
   std::vector<Value> action;  ///< the fields that it set
 
   /// The vote by which it was compared.
@@ -48,6 +49,7 @@ struct Rival {
   /// Its branch brought the field up to there, neither lost it below nor abstained.
   bool came_up = true;
   bool blended = false;  ///< the winner made its value of this one and others
+  std::string set_aside = {};  ///< why its branch was not compared at all; empty: it was
 };
 
 /// A field of the action that came out of the root.

@@ -33,6 +33,7 @@ bool is_part_of(const std::vector<Answer>& nodes, ubf::NodeIndex leaf, ubf::Node
        ++n) {
     const Value* const value = proposal_of(nodes[n], field);
     if (nodes[n].parent == arbiter && value && nodes[n].counted() > 0 &&
+        nodes[n].set_aside.empty() &&
         (value->supplier == leaf ||
          (!nodes[value->supplier].is_leaf && is_part_of(nodes, leaf, value->supplier, field))))
       return true;
@@ -122,7 +123,8 @@ std::vector<Won> contest(const std::vector<Answer>& nodes) {
            .vote = vote,
            .decided_by = by,
            .came_up = proposal_of(nodes[its], value.name) && (vote > 0 || against == 0),
-           .blended = won.blended && is_part_of(nodes, node, winner, value.name)});
+           .blended = won.blended && is_part_of(nodes, node, winner, value.name),
+           .set_aside = nodes[its].set_aside});
     }
     std::ranges::stable_sort(won.rivals, std::greater<>(), [](const Rival& r) {
       return std::tuple(r.blended, r.came_up, r.vote);

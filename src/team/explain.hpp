@@ -65,6 +65,8 @@ void take_votes(Answer& answer, const ubf::Trace<Action>& trace, ubf::NodeIndex 
   answer.status = row.status;
   answer.vote = row.proposal.vote;
   answer.given = given_vote(trace, node);
+  if (const char* why = trace.why(node); why && row.status != ubf::Status::failure)
+    answer.set_aside = why;
 }
 
 template <class State, class Action>

@@ -297,18 +297,9 @@ class Parser {
     const Parsed parsed = parse_quantity(other.text, f.unit.dimension);
     if (!parsed)
       return none(other.at, "{}: {}", field.text, parsed.error);
-    if (const double x = parsed.value; x < f.limits.min || x > f.limits.max)
-      return none(other.at, "{} is from {} to {}, never {}{}", quote(field.text),
-                  exact_quantity(f.limits.min, f.unit.dimension),
-                  exact_quantity(f.limits.max, f.unit.dimension), other.text, turned(x, f));
+    if (const std::string problem = never(f, field.text, parsed.value, other.text); !problem.empty())
+      return none(other.at, "{}", problem);
     return Operand{.field = Operand::kNumber, .number = parsed.value};
-  }
-
-  /// The same direction as the field has it.
-  static std::string turned(double x, const StateFieldInfo& field) {
-    return field.unit.dimension == Dimension::angle
-               ? fmt::format(": that is {}", exact_quantity(wrap_pi(x), Dimension::angle))
-               : std::string();
   }
 
   const Value& value_;

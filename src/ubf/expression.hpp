@@ -126,8 +126,9 @@ class Expression {
 };
 
 /// An expression over a state and an action that is proposed in it. Its fields are those of the
-/// state and, as `action.altitude`, those of the action: numbers, whether a flag is true, and of
-/// everything else whether it is set. A number that is not set has no value.
+/// state and, as `action.altitude`, those of the action: numbers, directions in (-180°, 180°] as
+/// those of states, whether a flag is true, and of everything else whether it is set. A number that
+/// is not set has no value.
 template <class State, class Action>
 class ActionExpression {
  public:
@@ -159,13 +160,15 @@ class ActionExpression {
         infos.push_back({.name = texts.back(),
                          .kind = f.is_number ? FieldKind::number : FieldKind::flag,
                          .unit = f.unit,
-                         .help = "of the proposal"});
+                         .help = "of the proposal",
+                         .limits = f.is_direction ? Range{-kPi, kPi, true} : Range{}});
       }
     }
   };
   [[nodiscard]] static double read(const Action& action, std::size_t field) {
     const ActionFieldInfo& f = action_fields<Action>()[field];
-    return f.get(&action).value_or(f.is_number ? kNoValue : 0);
+    const double x = f.get(&action).value_or(f.is_number ? kNoValue : 0);
+    return f.is_direction ? wrap_pi(x) : x;
   }
 
   std::vector<detail::Instruction> program_;

@@ -71,9 +71,12 @@ NodeReader::Child NodeReader::read_tree(const std::string& name, const Value& va
     if (!filled)
       return nullptr;
   }
+  const std::size_t before = diagnostics_.count();
   open_.push_back(name);
   Child root = read(filled ? *filled : value);
   open_.pop_back();
+  if (!arguments.empty())
+    diagnostics_.trace_to(before, where, "with the arguments at");
   return root;
 }
 
@@ -284,7 +287,7 @@ Value NodeReader::with_pending(const NodeType& type, const Value& body) {
 bool NodeReader::bind(AnyNode& node, const Value& body, std::vector<std::string_view> also) {
   also.push_back(kLabelKey);
   return eyrie::detail::bind(*node.type_->parameters, node.type_->object(node),
-                             body.is_null() ? Value::map({}, body.where) : body, {}, diagnostics_,
+                             body.is_null() ? Value::map({}, node.where_) : body, {}, diagnostics_,
                              also);
 }
 

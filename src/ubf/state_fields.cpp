@@ -3,9 +3,23 @@
 
 #include <algorithm>
 
+#include "core/angle.hpp"
 #include "core/diagnostics.hpp"
 
 namespace eyrie::ubf {
+
+std::string never(const StateFieldInfo& field, std::string_view name, double x,
+                  std::string_view written) {
+  const auto& [min, max, _] = field.limits;
+  if (x >= min && x <= max)
+    return {};
+  return fmt::format(
+      "{} is from {} to {}, never {}{}", quote(name), exact_quantity(min, field.unit.dimension),
+      exact_quantity(max, field.unit.dimension), written,
+      field.unit.dimension == Dimension::angle
+          ? fmt::format(": that is {:.9g} deg", degrees(wrap_pi(x)))  // as people count turns
+          : "");
+}
 
 /// The name of the platform's field, there or not.
 std::string_view FieldNames::meant(std::string_view name) {

@@ -36,6 +36,11 @@ struct StateField {
   double (*read)(const State&) = nullptr;
 };
 
+/// "'heading' is from -180 deg to 180 deg, never 270 deg: that is -90 deg"; empty if it may be `x`.
+/// Both are as the file has them.
+[[nodiscard]] std::string never(const StateFieldInfo& field, std::string_view name, double x,
+                                std::string_view written);
+
 /// The fields of a platform's state; specialize it to have some. Names are words of [a-z0-9_.]
 /// that start with a letter, none of them twice.
 ///   template <> struct StateFields<Robot> {

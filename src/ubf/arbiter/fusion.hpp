@@ -164,7 +164,7 @@ class Fusion final : public Blending<State, Action> {
     const auto is_heard = [&](NodeIndex child, const auto&) { return few.contains(child); };
     for (const auto& child : this->children_)
       if (!few.contains(child->index()))
-        trace.voted(child->index(), 0);
+        trace.because(child->index(), "not among the strongest");
     trace_fields(trace, *this, is_heard, kBlended);
   }
 };

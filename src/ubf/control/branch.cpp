@@ -9,9 +9,11 @@ std::optional<double> value_of(const StateFieldInfo& field, const Value::Entry& 
                                NodeReader& reader) {
   if (field.kind == FieldKind::number) {
     const Parsed parsed = parse_quantity(e.key, field.unit.dimension);
-    if (parsed)
+    const std::string problem = parsed ? never(field, field.name, parsed.value, e.key)
+                                       : fmt::format("{}: {}", field.name, parsed.error);
+    if (problem.empty())
       return parsed.value;
-    return reader.diagnostics().error(e.where, "{}: {}", field.name, parsed.error);
+    return reader.diagnostics().error(e.where, problem);
   }
   static constexpr std::array<std::string_view, 2> kTruth{"false", "true"};
   const std::span<const std::string_view> choices =

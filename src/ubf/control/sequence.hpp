@@ -79,6 +79,7 @@ class Sequence final : public Reactive<State, Action> {
  public:
   static constexpr std::string_view type_name = "sequence";
   static constexpr std::string_view help = "one child after the other, as long as they succeed";
+  static constexpr std::string_view decided_by = "order";
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     Status status = Status::success;
@@ -153,6 +154,7 @@ class SequenceWithMemory final : public Resuming<State, Action> {
   static constexpr std::string_view type_name = "sequence_with_memory";
   static constexpr std::string_view help =
       "one child after the other; what has succeeded is not asked again";
+  static constexpr std::string_view decided_by = "order";
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     return this->resume(t, out, Status::success);
