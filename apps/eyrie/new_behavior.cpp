@@ -21,9 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 40;
-/// What YAML and trees take for something else.
-constexpr std::array<std::string_view, 10> kReserved{"null", "true", "false", "yes",  "no",
-                                                     "on",   "off",  "any",   "tree", "parameters"};
 
 /// "Break Turn-2" -> "break_turn_2": a name that may be used, or "" if nothing is left of it.
 std::string usable(std::string_view wanted) {
@@ -59,7 +56,7 @@ std::string name_problem(const std::string& name) {
     return fmt::format(
         "{} is no name for a behavior: a small letter, then small letters, digits and '_'{}",
         quote(name), better.empty() ? "" : fmt::format("; perhaps {}?", quote(better)));
-  if (std::ranges::find(kReserved, name) != kReserved.end())
+  if (std::ranges::find(scenario::kReservedWords, name) != scenario::kReservedWords.end())
     return fmt::format("{} means something else in a scenario; perhaps '{}_it'?", quote(name),
                        name);
   const scenario::Plugins none;

@@ -15,12 +15,10 @@ namespace {
 
 /// A name is a key of files and, unless a file has another, a label.
 std::optional<std::string> word_problem(std::string_view name) {
-  constexpr std::string_view kTaken[] = {"not", "and",  "or",    "null", "yes", "no",
-                                         "on",  "true", "false", "off",  "any"};
   const auto fits = [](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-'; };
   if (name.empty() || !is_letter(name.front()) || !std::ranges::all_of(name, fits))
     return quote(name) + " is no word: a letter, then letters, digits, '_' and '-'";
-  if (std::ranges::find(kTaken, name) != std::end(kTaken))
+  if (std::ranges::find(kReservedWords, name) != kReservedWords.end())
     return quote(name) + " means something else in a scenario";
   return ubf::label_problem(name);
 }

@@ -38,6 +38,10 @@ class Plugins {
   bool added_ = false;  ///< nodes of a program
 };
 
+/// Words that mean something else in YAML or in a tree than a node.
+inline constexpr auto kReservedWords = std::to_array<std::string_view>(
+    {"not", "and", "or", "null", "yes", "no", "on", "true", "false", "off", "any", "name", "tree",
+     "parameters", "child", "children"});
 /// What is wrong with the names of the nodes that `origin` has registered, and of their parameters:
 /// what no tree could say, or what means something else there already.
 [[nodiscard]] std::vector<std::string> name_problems(const Registries& registries,

@@ -110,6 +110,12 @@ TEST(TreeBook, SaysForWhomATreeWasReadThatNobodyCanUse) {
   EXPECT_EQ(book_of("trees: {air: {navigate: {spede: 1}}}", "air", "").mistakes,
             "a:1:26: navigate has no parameter 'spede'; did you mean 'speed'?")
       << "without convoys there is nothing to explain";
+  EXPECT_EQ(book_of("trees: {air: navigate, free: {sequence: [{pursue: {vote: 2000, spede: 1}}]}}",
+                    "air", "")
+                .mistakes,
+            "a:1:58: vote: 2000 is outside [0, 1000]\n"
+            "a:1:64: pursue has no parameter 'spede'; did you mean 'speed'?")
+      << "whoever knows more of the nodes is meant, however many mistakes they have";
 }
 
 TEST(TreeBook, KnowsNoAltitudeOnTheGround) {

@@ -149,7 +149,7 @@ NodeReader::Child NodeReader::make_changed(NodeSpec spec) {
       pending_.push_back(&change);
       continue;
     }
-    if (!change.value.is_scalar())
+    if (!change.value.is_scalar() || change.value.text == kTreeReference)
       return no_node(diagnostics_.error(change.value.where, "expected the name of a node, got {}",
                                         change.value.shown()));
     body = body_for_another_type(*spec.body, registry_.find(change.value.text));

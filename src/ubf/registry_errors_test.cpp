@@ -35,6 +35,8 @@ TEST(RegistryErrors, AValueOutOfRangeAndAMissingOneAreToldWithTheirPlace) {
   EXPECT_EQ(mistakes("{probe: {bias: -4}}"),
             "test.yaml:1:9: probe needs the parameter 'cue'\n"
             "test.yaml:1:16: bias: -4 is outside [0, 100]");
+  EXPECT_EQ(mistakes("{winner_takes_all: [probe]}"),
+            "test.yaml:1:21: probe needs the parameter 'cue'");
   EXPECT_EQ(mistakes("{timeout: {after: 5 kg, child: {check: {cue: 1}}}}"),
             "test.yaml:1:19: after: expected a time such as '3 min', got '5 kg' (a mass)");
 }

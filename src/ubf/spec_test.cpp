@@ -128,6 +128,11 @@ TEST(Subtree, MistakesAreSaidWithTheirPlace) {
             "test.yaml:1:29: tree 'engage' has no parameter 'voet'; did you mean 'vote'?");
   EXPECT_EQ(mistakes("{tree: {engage: {near: 1 m, vote: many}}}", trees),
             "test.yaml:1:35: vote: expected a plain number such as '0.5', got 'many'");
+  EXPECT_EQ(
+      mistakes("{tree: {engage: {near: 1 s}}}", trees),
+      "engage.yaml:1:87: range: expected a length such as '6000 ft', got '1 s' (a time) (with "
+      "the arguments at test.yaml:1:9)")
+      << "there may be several references";
   EXPECT_EQ(mistakes("{tree: {plain: {vote: 3}}}", trees),
             "test.yaml:1:17: tree 'plain' has no parameter 'vote'");
   EXPECT_EQ(mistakes("{tree: idle}", trees),

@@ -63,17 +63,19 @@ std::string squeezed(const std::string& text) {
   return result;
 }
 
-void code_is_compiled(const std::string& page, const std::string& test) {
-  const std::string source = squeezed(read(test));
+template <class... Test>
+void code_is_compiled(const std::string& page, const Test&... tests) {
+  const std::string source = (squeezed(read(tests)) + ...);
   const auto code = blocks(page, "cpp");
   EXPECT_FALSE(code.empty()) << page;
   for (const Block& block : code)
     EXPECT_NE(source.find(squeezed(block.text)), std::string::npos)
-        << page << ":" << block.line << ": this code does not stand in " << test;
+        << page << ":" << block.line << ": this code stands in no test";
 }
 
 TEST(Pages, TheirCodeIsCompiledAndRun) {
-  code_is_compiled("docs/ubf.md", "tests/docs/ubf_in_code_test.cpp");
+  code_is_compiled("docs/ubf.md", "tests/docs/ubf_in_code_test.cpp",
+                   "tests/package/alone/from_yaml.cpp");
   code_is_compiled("docs/howto/add-a-behavior.md", "tests/docs/add_a_behavior_test.cpp");
   code_is_compiled("docs/howto/add-a-decorator.md", "tests/docs/add_a_decorator_test.cpp");
   code_is_compiled("docs/howto/add-an-arbiter.md", "tests/docs/add_an_arbiter_test.cpp");

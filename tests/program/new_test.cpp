@@ -50,7 +50,8 @@ TEST(NewBehavior, RefusesBadNamesAndProposesBetterOnes) {
   EXPECT_EQ(refused("pursue"), "eyrie: there is already a node 'pursue' (of eyrie)\n");
   EXPECT_EQ(refused("tree"),
             "eyrie: 'tree' means something else in a scenario; perhaps 'tree_it'?\n");
-  EXPECT_EQ(run_program(folder, {"new", "behavior", "parameters"}).code, 2);
+  for (const char* word : {"parameters", "not", "children"})
+    EXPECT_EQ(run_program(folder, {"new", "behavior", word}).code, 2) << word;
   EXPECT_EQ(refused("leads"), "eyrie: 'leads' is what a state says; perhaps 'leads_it'?\n");
   EXPECT_NE(refused(std::string(300, 'a')).find(rule), std::string::npos);
 }

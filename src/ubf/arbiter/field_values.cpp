@@ -259,7 +259,8 @@ void bind_value(AnyFieldChoice& out, const Value& value, Diagnostics& diagnostic
   if (value.is_scalar() && out.choose(value.text))
     return;
   diagnostics.error(value.where, "{}: {} is no field that can be chosen here{}", info.name,
-                    value.shown(), did_you_mean(value.is_scalar() ? value.text : "", out.names()));
+                    value.shown(),
+                    nearest_or_all(value.is_scalar() ? value.text : "", out.names()));
 }
 
 void describe_value(ParamInfo& info, const AnyBounds&) {

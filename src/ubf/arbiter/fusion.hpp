@@ -163,7 +163,8 @@ class Fusion final : public Blending<State, Action> {
                                               const StrongestFew<Action, kMaxTop>& few) const {
     const auto is_heard = [&](NodeIndex child, const auto&) { return few.contains(child); };
     for (const auto& child : this->children_)
-      if (!few.contains(child->index()))
+      if (const auto& row = Trace<Action>::of(trace).row(child->index());
+          row.status != Status::failure && row.proposal.vote > 0 && !few.contains(child->index()))
         trace.because(child->index(), "not among the strongest");
     trace_fields(trace, *this, is_heard, kBlended);
   }

@@ -261,6 +261,18 @@ RC_GTEST_PROP(FusionOptionsLaw, TopIsFusionOfThoseThatAreLeft, ()) {
   RC_ASSERT(answer == ask<Fuse>(few));
 }
 
+TEST(Fusion, SaysWhoIsNotAmongTheStrongest) {
+  Robot robot(fusion(4, 1));
+  robot.cue(0) = {kRunning, 2, {.heading = 1}};
+  robot.cue(1) = {kRunning, 5, {.heading = 2}};
+  robot.cue(2) = {kFailure, 9, {}};
+  robot.cue(3) = {kRunning, 0, {}};
+  robot.tick();
+  EXPECT_STREQ(robot.trace.why(1), "not among the strongest");
+  for (const NodeIndex other : std::to_array<NodeIndex>({2, 3, 4}))
+    EXPECT_EQ(robot.trace.why(other), nullptr) << other << " is, failed or abstains";
+}
+
 RC_GTEST_PROP(FusionOptionsLaw, DroppingKeepsExactlyWhatNobodyDisputes, ()) {
   const Cues cues = *any_cues();
   const Answer answer = ask_fusion(cues, std::nullopt, Conflicts::drop);

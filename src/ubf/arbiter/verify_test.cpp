@@ -165,6 +165,19 @@ TEST(Verify, RefusesWhatAConditionInWordsSaysOfStateAndProposal) {
   EXPECT_EQ(vote(), 9) << "a field that is not set passes";
 }
 
+TEST(Verify, ReadsDirectionsOfAProposalAsThoseOfAState) {
+  Robot robot(
+      build("{verify: {refuse: [action.heading < -45 deg], children: [{probe: {cue: 0}}]}}"));
+  const auto passes = [&](double heading) {
+    robot.cue(0) = {kRunning, 9, {.heading = radians(heading)}};
+    return robot.tick() == kRunning;
+  };
+  EXPECT_FALSE(passes(270)) << "-90 deg";
+  EXPECT_FALSE(passes(-90));
+  EXPECT_TRUE(passes(180));
+  EXPECT_TRUE(passes(350));
+}
+
 TEST(Verify, TellsEveryMistakeInAFile) {
   const auto has = [](std::string_view text, std::string_view words) {
     const std::string said = mistakes(text);
@@ -173,6 +186,8 @@ TEST(Verify, TellsEveryMistakeInAFile) {
   has("{verify: {children: [{probe: {cue: 0}}]}}", "verify needs 'bounds' or 'refuse' to check");
   has("{verify: {refuse: [action.altitud < 1 m], children: [{probe: {cue: 0}}]}}",
       "test.yaml:1:20: there is no state field 'action.altitud'; did you mean 'action.altitude'?");
+  has("{verify: {refuse: [action.heading > 270 deg], children: [{probe: {cue: 0}}]}}",
+      "'action.heading' is from -180 deg to 180 deg, never 270 deg: that is -90 deg");
   has("{verify: {bounds: {}, children: [{probe: {cue: 0}}]}}",
       "verify needs 'bounds' or 'refuse' to check");
   has("{verify: {bounds: {altitude: {min: 1 m}}, fallback: true, children: [{probe: {cue: 0}}]}}",
