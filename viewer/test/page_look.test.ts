@@ -109,6 +109,7 @@ test('who is seen is as far off the nose as his bearing is off the heading', { s
     return rows.map((row) => Math.abs(((degrees(row.children[3]!) - heading - degrees(row.children[4]!)) % 360 + 540) % 360 - 180));
   });
   assert.ok(off.length > 0 && off.every((error) => error < 1.6), `${off}`);
+  assert.equal(await page.$eval('.tracks tr.target td:nth-child(3)', (cell) => cell.textContent), await page.$eval('[data-state=range] dd', (said) => said.textContent), 'as the crow flies, not on the map');
 });
 
 test('how old a sight is is told however young it is', { skip: kNoPage }, async () => {

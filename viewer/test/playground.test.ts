@@ -218,6 +218,13 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await page.waitForSelector('body[data-ready=true]');
       await page.evaluate(() => history.back());
       await page.waitForFunction(() => !document.querySelector('.debriefed'));
+      // and forward to what was closed nowhere: what was edited since stays
+      await type_behind(page, 'fuel: 4000 kg', '  # newer');
+      await page.waitForFunction(() => history.state === 'editor');
+      await page.evaluate(() => history.forward());
+      await page.waitForFunction(() => history.state === 'debrief');
+      await page.waitForFunction(() => history.state === 'editor');
+      assert.ok((await text_now(page)).includes('4000 kg  # newer'));
       // before there is anything of it, too
       await page.click('.does .fly');
       await page.evaluate(() => history.back());

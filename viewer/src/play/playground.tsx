@@ -240,7 +240,11 @@ function Playground({ files, schema, module, host, view }: Texts & { module: Web
     });
     void restore();
     listen(window, {
-      hashchange: () => (host.hidden ? address.pass_over() : void restore()),
+      hashchange: () => {
+        if (host.hidden) address.pass_over();
+        else if (history.state === 'debrief') history.back();  // forward again to what was closed: what is edited stays
+        else void restore();
+      },
       beforeunload: (event) => {
         if (!address.holds(now.current.project)) event.preventDefault();
       },

@@ -122,13 +122,18 @@ export function OtherRow({ player }: { player: Player }) {
 export function Legend({ player }: { player: Player }) {
   const page = use_page();
   const answer = use_answer()?.value;
+  const other = use_cell(page.other);
   const labels = useMemo(() => {
-    const led = leader_spans(page.run, player).map((span) => span.label);
+    const led_in = (run: Run | undefined, who: number): string[] => {
+      const one = run?.players[who];
+      return one ? leader_spans(run!, one).map((span) => span.label) : [];
+    };
+    const led = [...led_in(page.run, player.index), ...led_in(page.twin?.run, page.twin ? namesake(page.twin, player) : -1), ...led_in(other?.run, player.index)];
     const shape = player.decisions.shape;
     const node_at = answer && would_lead(player, answer);
     const would = node_at ? Array.from(shape, (s, i) => label_of(page.run, page.run.shapes[s]!.tree, node_at(i))) : [];
     return [...new Set([...led, ...would])];
-  }, [page, player, answer]);
+  }, [page, player, answer, other]);
   return (
     <Row class="legend-row">
       <ul class="legend" aria-label="Colours of behaviors">{labels.map((label) => <li key={label}><Chip label={label} />{label}</li>)}</ul>

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: MIT
 /** What a player saw before a decision; names in brackets are the truth, which it did not know. */
 import { useMemo } from 'preact/hooks';
-import { last_at, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
-import { convergence } from '../scene/geo.ts';
-import { new_pose, pose_at, wrapped, type Pose } from '../scene/motion.ts';
+import { last_at, type Player, type Sight, type TrackSeen } from '../run/run.ts';
+import { convergence, measure } from '../scene/geo.ts';
+import { new_pose, pose_at, type Pose } from '../scene/motion.ts';
 import { heading_text, height_text, quantity_text, side_text, value_text, clock_text, number_text } from '../words/text.ts';
 import { select } from './actions.ts';
 import { Name } from './leaders.tsx';
 import { use_page } from './page.ts';
 
-function from_here(own: Place, { east, north, up }: Place): { range: number; bearing: number } {
-  const [e, n] = [east - own.east, north - own.north];
-  return { range: Math.hypot(e, n, up - own.up), bearing: wrapped(Math.atan2(e, n)) };
-}
-
-/** `north`: rad, of the map at its place, true; `heading` is true, too. */
-function Track({ track, own, north, heading }: { track: TrackSeen; own: Pose; north: number; heading: number }) {
+/** `heading`: rad, true. */
+function Track({ track, own, heading }: { track: TrackSeen; own: Pose; heading: number }) {
   const page = use_page();
   const { run } = page;
-  const { range, bearing: on_map } = from_here(own, track.place);
-  const bearing = on_map + north;
+  const { range, bearing } = measure(run.origin, own, track.place);
   const truth = run.players[track.truth];
   return (
     <tr class={track.is_target ? 'target' : ''}>
@@ -39,13 +33,12 @@ function Track({ track, own, north, heading }: { track: TrackSeen; own: Pose; no
 function Perceived({ player, sight }: { player: Player; sight: Sight }) {
   const own = new_pose();
   pose_at(player.motion, sight.t, own);
-  const north = convergence(use_page().run.origin, own);
-  const heading = own.heading + north;
+  const heading = own.heading + convergence(use_page().run.origin, own);
   return (
     <table class="tracks">
       <thead><tr><th>track</th><th>truth</th><th>range</th><th>bearing</th><th>off nose</th><th>altitude</th><th>age</th></tr></thead>
       <tbody>
-        {sight.tracks.map((track, i) => <Track key={`${track.id}/${i}`} track={track} own={own} north={north} heading={heading} />)}
+        {sight.tracks.map((track, i) => <Track key={`${track.id}/${i}`} track={track} own={own} heading={heading} />)}
         {sight.warnings.map(({ kind, name, range, bearing }, i) => (
           <tr key={`w${i}`} class={`warning ${kind.startsWith('missile') ? 'missile' : ''}`}>
             <th scope="row">⚠ {kind}</th><td><span class="truth">(<Name name={name} />)</span></td>
