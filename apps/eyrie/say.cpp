@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "say.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -18,13 +20,23 @@ void note(bool failed) {
   if ((failed || std::ferror(stdout)) && !lost)
     lost = errno ? errno : EIO;
 }
+
+/// Whether a stream goes to a terminal that obeys escape sequences.
+bool obeyed(int stream) {
+  const char* terminal = std::getenv("TERM");
+  return ::isatty(stream) && !(terminal && std::string_view(terminal) == "dumb");
+}
+
+/// Columns of the terminal on standard error.
+std::size_t width() {
+  winsize size{};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col ? size.ws_col : 80;
+}
 }  // namespace
 
 bool colors() {
   const char* none = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
-  return ::isatty(STDOUT_FILENO) && !(none && *none) &&
-         !(terminal && std::string_view(terminal) == "dumb");
+  return obeyed(STDOUT_FILENO) && !(none && *none);
 }
 
 int lost_output() {
@@ -46,7 +58,7 @@ void print_error(std::string_view text) {
 }  // namespace detail
 
 Progress::Progress(std::string_view what, std::uint64_t total)
-    : what_(what), total_(total), shown_(::isatty(STDERR_FILENO)) {}
+    : what_(what), total_(total), shown_(obeyed(STDERR_FILENO)) {}
 
 Progress::~Progress() {
   if (drawn_)
@@ -66,11 +78,14 @@ void Progress::at(std::uint64_t done, std::string_view more) {
       static_cast<double>(done) / std::chrono::duration<double>(last_ - begun_).count();
   constexpr std::size_t kWide = 20;
   const std::string bar(total_ ? kWide * done / total_ : 0, '#');
-  complain("{}{} [{:<{}}] {} of {}, {:.1f}/s", Composed{"\r"}, what_, bar, kWide, done, total_,
-           rate);
+  std::string line =
+      fmt::format("{} [{:<{}}] {} of {}, {:.1f}/s", what_, bar, kWide, done, total_, rate);
   if (done)
-    complain(", {} left", record::clock_text(static_cast<double>(total_ - done) / rate));
-  complain("{}{}{}", more.empty() ? "" : "; ", more, Composed{"\033[K"});
+    line += fmt::format(", {} left", record::clock_text(static_cast<double>(total_ - done) / rate));
+  line += fmt::format("{}{}", more.empty() ? "" : "; ", more);
+  // a line that is wrapped is not drawn over: the last column stays free, "..." ends what is cut
+  line = printable(line, std::max<std::size_t>(width(), 5) - 4);
+  complain("{}", Composed{fmt::format("\r{}\033[K", line)});
   std::fflush(stderr);
 }
 

@@ -63,6 +63,22 @@ TEST(FlySeeds, GivesALineForEachFlightAndOneForAll) {
   EXPECT_EQ(one["sides"]["red"]["shots"], said[0]["red"]["shots"]);
 }
 
+TEST(FlySeeds, DrawsItsProgressWithinALineOfTheTerminal) {
+  const TempFolder folder;
+  const auto drawn = [&](const std::string& settings) {
+    return run_line(folder, "script -qec 'stty cols 40; " + settings +
+                                " \"$EYRIE\" fly sweep --seeds 8 --until \"3 min\" --workers 1 "
+                                ">/dev/null' shown </dev/null >/dev/null; sed -e 1d -e '$d' shown")
+        .out;
+  };
+  const std::string all = drawn("TERM=xterm");
+  ASSERT_NE(all.find("\rseeds [##"), all.npos) << all;
+  std::istringstream in(all);
+  for (std::string line; std::getline(in, line, '\r');)
+    EXPECT_LT(line.size(), 40 + std::string_view("\x1b[K").size()) << line;
+  EXPECT_EQ(drawn("TERM=dumb").find("seeds"), all.npos);
+}
+
 TEST(FlySeeds, RefusesWhatIsNoRangeAndWhatIsForOneFlight) {
   const TempFolder folder;
   for (const std::string range : {"5..1", "1..", "..5", "a", "1...5", "1..5x", "0", "-3"})
