@@ -14,6 +14,7 @@
 #include "record/run_file.hpp"
 #include "record/story.hpp"
 #include "say.hpp"
+#include "scenario/plugin_file.hpp"
 
 namespace eyrie::app {
 namespace fs = std::filesystem;
@@ -186,6 +187,16 @@ Located locate(const std::string& name, const std::vector<std::string>& includes
   if (meant.empty() && name.find_first_of("./") == name.npos)
     meant = nearest_or_all(name, names_in("scenarios"));
   refuse_at(where, fmt::format("there is no scenario {}{}", quote(name), meant));
+}
+
+std::string allowances(const std::string& file, const std::set<std::string>& folders) {
+  auto source = scenario::Source::disk(home());
+  source.confine_to_folder_of(file);
+  std::string options;
+  for (const std::string& folder : folders)
+    if (source.is_outside(folder))
+      options += " --allow-include " + scenario::shell_word(folder);
+  return options;
 }
 
 std::shared_ptr<const scenario::Scenario> load_scenario(const std::string& name,

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  From what the user typed to a loaded scenario, a recorded run, a player, a time.
 #include <filesystem>
+#include <set>
 
 #include "debrief/recorded.hpp"
 #include "disk/sink.hpp"
@@ -42,6 +43,9 @@ struct Located {
 };
 [[nodiscard]] Located locate(const std::string& name, const std::vector<std::string>& includes,
                              const Location& where = {});
+
+/// " --allow-include FOLDER" for each folder that a scenario `file` may not read from otherwise.
+[[nodiscard]] std::string allowances(const std::string& file, const std::set<std::string>& folders);
 
 /// Loads it. Throws Mistake or ConfigError.
 [[nodiscard]] std::shared_ptr<const scenario::Scenario> load_scenario(

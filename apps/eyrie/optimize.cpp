@@ -180,8 +180,11 @@ int optimize(const FlightsOptions& options) {
     head += fmt::format("# {}\n", table.substr(begin, end - begin));
   }
   const std::vector<std::string> sets = sets_of(search->spec, found->cell);
-  write_file(fmt::format("{}/{}", folder, kWinner),
-             printable_lines(head) + whole_scenario(source.scenario(), sets, source.files()));
+  const std::string winner = fmt::format("{}/{}", folder, kWinner);
+  const WholeScenario whole = whole_scenario(source.scenario(), sets, source.files());
+  const std::string command = fmt::format("eyrie fly {}{}", scenario::shell_word(winner),
+                                          allowances(winner, whole.folders));
+  write_file(winner, printable_lines(head + "# " + command + "\n") + whole.text);
   if (options.json) {
     say("{}\n", Composed{record::json_text(end_json(*search, folder, found, evidence))});
     return code;
@@ -193,7 +196,7 @@ int optimize(const FlightsOptions& options) {
   say("\n{}\n{}\n", cell_text(search->spec, found->cell), lines(table));
   for (const std::string& set : sets)
     say("--set {} ", scenario::shell_word(set));
-  say("\nas a scenario of its own: eyrie fly {}/{}\n", scenario::shell_word(folder), kWinner);
+  say("\nas a scenario of its own: {}\n", command);
   return code;
 }
 

@@ -42,6 +42,7 @@ std::string players_text(const scenario::Scenario& scenario) {
 }  // namespace
 
 int validate(const ValidateOptions& options) {
+  int printed = 0;
   const auto check = [&](const std::string& name) {
     const auto [file, source] = locate(name, options.includes);
     const scenario::LoadRequest request{
@@ -57,10 +58,17 @@ int validate(const ValidateOptions& options) {
     std::set<std::string_view> trees;  // one may serve pilots and drivers
     for (const ubf::AnyTree* tree : scenario->all_trees())
       trees.insert(tree->name());
-    if (options.print)
-      say("{}", lines(campaign::whole_scenario(file, {}, source)));
-    else
+    if (options.print) {
+      const campaign::WholeScenario whole = campaign::whole_scenario(file, {}, source);
+      const std::string allowed = allowances(home() + "/", whole.folders);
+      if (printed++)
+        say("---\n");
+      if (!allowed.empty())
+        say("# elsewhere it is flown with{}\n", allowed);
+      say("{}", lines(whole.text));
+    } else {
       say("{}: {}, {}\n", file, players_text(*scenario), counted(trees.size(), "tree"));
+    }
     return 0;
   };
   int code = 0;

@@ -30,17 +30,22 @@ void write(const Value& value, std::size_t indent, std::string& out) {
   }
 }
 
-/// Of every file that is named, as far as `is_file` says so, its whole path.
-void make_absolute(Value& value, bool (*is_file)(const std::string&)) {
+/// Of every file that is named, as far as `is_file` says so, its whole path; their folders go to
+/// `folders`.
+void make_absolute(Value& value, bool (*is_file)(const std::string&),
+                   std::set<std::string>& folders) {
   for (Value& item : value.items)
-    make_absolute(item, is_file);
+    make_absolute(item, is_file, folders);
   for (Value::Entry& e : value.entries)
-    make_absolute(e.value, is_file);
+    make_absolute(e.value, is_file, folders);
   if (!value.is_scalar() || !is_file(value.text))
     return;
-  const std::string file = scenario::file_named(value);
-  value.text =
-      file.starts_with(scenario::Source::kOwn) ? file : std::filesystem::absolute(file).string();
+  value.text = scenario::file_named(value);
+  if (value.text.starts_with(scenario::Source::kOwn))
+    return;
+  const auto path = std::filesystem::absolute(value.text).lexically_normal();
+  value.text = path.string();
+  folders.insert(path.parent_path().string());
 }
 bool is_any(const std::string&) {
   return true;
@@ -51,24 +56,25 @@ bool is_network(const std::string& name) {
 
 }  // namespace
 
-std::string whole_scenario(const std::string& file, const std::vector<std::string>& sets,
-                           scenario::Source source) {
+WholeScenario whole_scenario(const std::string& file, const std::vector<std::string>& sets,
+                             scenario::Source source) {
   Diagnostics diagnostics;
   Value document = scenario::load_document(file, source, diagnostics);
   if (diagnostics.ok())
     scenario::apply_overrides(document, sets, diagnostics);
   diagnostics.throw_if_any();
   std::erase_if(document.entries, [](const auto& e) { return e.key == "include"; });
-  std::string text;
+  WholeScenario whole;
+  std::set<std::string> ignored;  // plug-ins are trusted one by one
   for (Value::Entry& e : document.entries) {
     if (e.key == "plugins")
-      make_absolute(e.value, is_any);
+      make_absolute(e.value, is_any, ignored);
     else if (e.key == "trees")
-      make_absolute(e.value, is_network);
-    text += yaml_text(Value::scalar(e.key)) + ":";
-    write(e.value, 2, text);
+      make_absolute(e.value, is_network, whole.folders);
+    whole.text += yaml_text(Value::scalar(e.key)) + ":";
+    write(e.value, 2, whole.text);
   }
-  return text;
+  return whole;
 }
 
 }  // namespace eyrie::campaign

@@ -14,7 +14,7 @@ TEST(WholeScenario, FliesAsTheOneItWasMadeOf) {
                                       "blue.flights.eagle.players.eagle2.fuel=4000 kg"};
   scenario::Source disk = scenario::Source::disk(".");
   const auto original = scenario::load({.file = "scenarios/sweep.yaml", .sets = sets}, disk);
-  const std::string text = whole_scenario("scenarios/sweep.yaml", sets, disk);
+  const std::string text = whole_scenario("scenarios/sweep.yaml", sets, disk).text;
   EXPECT_EQ(text.find("include"), text.npos);
   disk.add("elsewhere/whole.yaml", text);
   const auto whole = scenario::load({.file = "elsewhere/whole.yaml"}, disk);
@@ -26,9 +26,11 @@ TEST(WholeScenario, FliesAsTheOneItWasMadeOf) {
 
 TEST(WholeScenario, FindsANetworkThatAnOptionNamed) {
   scenario::Source disk = scenario::Source::disk(".");
-  const std::string text = whole_scenario(
-      "scenarios/merge.yaml",
-      {"trees.dogfight={policy: {file: scenarios/policies/merge.safetensors}}"}, disk);
+  const std::string text =
+      whole_scenario("scenarios/merge.yaml",
+                     {"trees.dogfight={policy: {file: scenarios/policies/merge.safetensors}}"},
+                     disk)
+          .text;
   disk.add("elsewhere/whole.yaml", text);
   EXPECT_NO_THROW(static_cast<void>(scenario::load({.file = "elsewhere/whole.yaml"}, disk)));
 }
@@ -38,7 +40,7 @@ TEST(WholeScenario, KeepsEveryScenario) {
     if (entry.path().extension() != ".yaml")
       continue;
     scenario::Source disk = scenario::Source::disk(".");
-    const std::string text = whole_scenario(entry.path().string(), {}, disk);
+    const std::string text = whole_scenario(entry.path().string(), {}, disk).text;
     disk.add("whole.yaml", text);
     std::shared_ptr<const scenario::Scenario> whole;
     EXPECT_NO_THROW(whole = scenario::load({.file = "whole.yaml"}, disk)) << entry.path();

@@ -57,6 +57,41 @@ TEST(Optimize, WritesWhatItFoundAndGoesOnWhereItEnded) {
             "changed\n");
 }
 
+TEST(Optimize, SaysHowAWinnerIsFlownThatNamesANetwork) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "nets");
+  std::filesystem::copy(source_root() + "/scenarios/policies/merge.safetensors",
+                        folder / "nets/x.safetensors");
+  folder.write("p.yaml", R"(extends: merge
+name: p
+until: 2 s
+trees: {pol: {winner_takes_all: [{policy: {file: nets/x.safetensors, vote: 60}}]}}
+replace: {blue.flights.viper.tree: pol}
+)");
+  folder.write("s.yaml", R"(eyrie: 1
+name: s
+scenario: p.yaml
+factors: {f: {path: blue.flights.viper.fuel, values: !uniform {low: 1000 kg, high: 3000 kg}}}
+replicates: 2
+optimize: {measure: lost, goal: minimize, generations: 1, population: 4, proof: 2}
+measures: {lost: {what: losses, who: blue}}
+)");
+  const Ran found = run_program(folder, {"optimize", "s.yaml"});
+  ASSERT_EQ(found.code, 0) << found.err;
+  const std::string_view said = "as a scenario of its own: ";
+  const std::string command = found.out.substr(found.out.find(said) + said.size());
+  EXPECT_EQ(command, "eyrie fly searches/s/winner.yaml --allow-include " +
+                         std::filesystem::canonical(folder / "nets").string() + "\n");
+  EXPECT_NE(read_text(folder / "searches/s/winner.yaml").find("\n# " + command), command.npos);
+  EXPECT_EQ(run_line(folder, command).err, "");
+  EXPECT_EQ(run_program(folder, {"fly", "searches/s/winner.yaml"}).code, 2);
+
+  const Ran both = run_program(folder, {"validate", "--print", "p.yaml", "merge_learned"});
+  EXPECT_TRUE(both.out.starts_with("# elsewhere it is flown with --allow-include "));
+  EXPECT_EQ(both.out.find("allow-include", 50), both.out.npos) << "Eyrie's own are read anywhere";
+  EXPECT_NE(both.out.find("\n---\n"), both.out.npos);
+}
+
 TEST(Optimize, LeavesTheFilesOfOthersAlone) {
   const TempFolder folder;
   folder.write("small.yaml", kSmallScenario);
