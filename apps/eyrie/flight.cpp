@@ -177,6 +177,8 @@ int Flight::fly(const std::function<void()>& steps) {
       }
     });
     steps();
+    if (interrupted() && mission_.run().time() == 0)
+      throw disk::Failed("interrupted before the first step; nothing was flown");
     mission_.run().finish();
   }
   timing_.wall = std::chrono::duration<double>(net::Clock::now() - start).count();

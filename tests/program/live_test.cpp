@@ -132,6 +132,17 @@ TEST(Live, IsRecordedWhenItIsEndedEarly) {
   mission.expect_replay(viewer.world(), "2");
 }
 
+TEST(Live, WritesNothingIfNothingWasFlown) {
+  Mission mission({"merge", "--paused"});
+  mission.server->kill(SIGINT);
+  const Ran ended = mission.server->wait();
+  EXPECT_EQ(ended.code, 128 + SIGINT);
+  EXPECT_NE(ended.err.find("eyrie: interrupted before the first step; nothing was flown\n"),
+            std::string::npos)
+      << ended.err;
+  EXPECT_EQ(mission.folder.everything(), std::vector<std::string>{});
+}
+
 TEST(Live, GivesItsPage) {
   Mission mission({"merge", "--paused"});
   const std::string page = mission.ask("/");
