@@ -104,7 +104,8 @@ int debrief_page(const DebriefOptions& options) {
   for (const debrief::Recorded& run : runs)
     demand_other_file(file, {run.file});
   listen_for_interrupts();
-  disk::OutputFile out(file, options.force || (options.out.empty() && is_own_folder(runs.front())));
+  const bool of_one = options.out.empty() && runs.size() == 1;
+  disk::OutputFile out(file, options.force || (of_one && is_own_folder(runs.front())));
   out.sink().write(debrief_text(runs, options.columns));
   finish(out);
   return 0;

@@ -79,8 +79,8 @@ int export_run(const ExportOptions& options) {
   if ((end != ".gz" && to_small(end) == ".gz") || (end == ".gz" && !csv))
     refuse("--out {}: only CSV is compressed, and only for a name that ends with '.gz'",
            quote_path(options.out));
-  if ((paths || packets) &&
-      (!options.player.empty() || !options.every.empty() || options.changes_only))
+  const bool part = !options.player.empty() || !options.every.empty() || options.changes_only;
+  if ((paths || packets) && part)
     refuse("--player, --every and --changes-only are for decisions: {} are those of all players",
            packets ? "packets" : "paths");
   const debrief::Recorded recorded = open_run(options.run, options.plugins);
@@ -93,7 +93,8 @@ int export_run(const ExportOptions& options) {
   const std::string& file = options.out.empty() ? beside : options.out;
   demand_other_file(file, {recorded.file});
   listen_for_interrupts();
-  disk::OutputFile out(file, options.force || (options.out.empty() && is_own_folder(recorded)));
+  const bool whole = options.out.empty() && !part;
+  disk::OutputFile out(file, options.force || (whole && is_own_folder(recorded)));
   if (paths)
     write_paths(recorded, options.format, out.sink());
   else if (packets)

@@ -185,7 +185,7 @@ void add_debrief(CLI::App& app, Chosen& chosen) {
   DebriefOptions& o = options_of(debrief, debrief_page, chosen);
   add_runs(debrief, o.runs);
   debrief->add_option("--out", o.out, "the file (default: beside the first run)");
-  debrief->add_flag("--force", o.force, "replace the file given by --out");
+  debrief->add_flag("--force", o.force, "replace the file that is there");
   debrief->add_flag("--columns", o.columns,
                     "put what was recorded into the page, not the engine that flies it again");
   add_run_plugins(debrief, o.plugins);
@@ -271,7 +271,7 @@ void add_export(CLI::App& app, Chosen& chosen) {
   exported->add_option("--out", o.out,
                        "the file (default: run.sqlite, decisions.csv.gz ... beside the run; a name "
                        "without .gz gives plain CSV)");
-  exported->add_flag("--force", o.force, "replace the file given by --out");
+  exported->add_flag("--force", o.force, "replace the file that is there");
 }
 
 void add_trust(CLI::App& app, Chosen& chosen) {

@@ -96,6 +96,9 @@ TEST(DebriefProgram, PutsTwoRunsOnOnePage) {
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(count(text_of("two.html"), kRunTag), 2U);
   EXPECT_EQ(ask({"debrief", "run", "other", "run"}).code, 2);
+  ASSERT_EQ(ask({"debrief", "run", "other"}).code, 0);
+  EXPECT_EQ(ask({"debrief", "run", "run"}).code, 2) << "it takes no other page's place";
+  EXPECT_EQ(ask({"debrief", "run", "run", "--force"}).code, 0);
 }
 
 TEST(DebriefProgram, RefusesWhatIsNoRunOfThisBuildWithWords) {
@@ -226,6 +229,10 @@ TEST(ExportProgram, WritesDecisionsOfAllOrOfOne) {
   EXPECT_EQ(count(all, ",eagle2,veteran,"), count(one, "\n") - 1);
   const Ran czml = ask({"export", "run", "--to", "czml", "--player", "eagle1"});
   EXPECT_EQ(czml.code, 2);
+  for (int times = 0; times < 2; ++times)
+    EXPECT_EQ(ask({"export", "run", "--to", "decisions"}).code, 0);
+  const std::vector<std::string> part{"export", "run", "--to", "decisions", "--player", "eagle2"};
+  EXPECT_EQ(ask(part).code, 2) << "what holds less takes the place of nothing";
 }
 
 }  // namespace
