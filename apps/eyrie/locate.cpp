@@ -54,6 +54,9 @@ std::string run_hint(const std::string& run) {
     return "";
   if (std::string hint = did_you_mean(run, runs_in(fs::path(run).parent_path())); !hint.empty())
     return hint;
+  if (const std::string usual = "runs/" + run;
+      fs::exists(usual + "/" + record::kRunFileName, ignored))
+    return "; did you mean " + quote(usual) + "?";
   return is_scenario(run) ? "; 'eyrie fly' makes a run of this scenario" : "";
 }
 
@@ -181,7 +184,9 @@ Located locate(const std::string& name, const std::vector<std::string>& includes
     return {file, scenario::Source::disk(there, includes)};
   if (const disk::FileRead read = disk::read_file(file, scenario::Source::kLargest); !read.missing)
     refuse_at(where, fmt::format("{} {}", quote_path(name), read.problem));
-  std::string meant = did_you_mean(fs::path(name).stem().string(), names_in("scenarios"));
+  std::string meant;
+  if (!fs::is_regular_file(file + ".yaml", ignored))
+    meant = did_you_mean(fs::path(name).stem().string(), names_in("scenarios"));
   if (meant.empty())
     meant = disk::nearest_file(file);
   if (meant.empty() && name.find_first_of("./") == name.npos)

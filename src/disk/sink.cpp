@@ -182,7 +182,10 @@ std::string nearest_file(const fs::path& missing, const fs::path& asker, const f
     at.increment(failed);
   }
   std::ranges::sort(names);
-  std::string meant = did_you_mean(path.lexically_relative(folder).generic_string(), names);
+  std::string wanted = path.lexically_relative(folder).generic_string();
+  if (std::ranges::binary_search(names, wanted + ".yaml"))
+    wanted += ".yaml";
+  std::string meant = did_you_mean(wanted, names);
   if (!meant.empty() && !from.empty()) {
     const fs::path way = folder.lexically_relative(fs::absolute(from, failed).lexically_normal());
     const std::string written = way == "." || way.empty() ? "" : way.generic_string() + "/";

@@ -65,7 +65,8 @@ struct FileRead {
 
 /// "; did you mean 'x'?" for the file nearest to one that is not there, or "": of those that stand
 /// as many folders below the last folder of its path that exists; x is named from there, or from
-/// the folder `from` with `before` before it, and is not `asker`.
+/// the folder `from` with `before` before it, and is not `asker`. First the one that has that name
+/// and the ending .yaml.
 [[nodiscard]] std::string nearest_file(const std::filesystem::path& missing,
                                        const std::filesystem::path& asker = {},
                                        const std::filesystem::path& from = {},

@@ -235,7 +235,7 @@ class Changer {
       if (instead && instead->what == Change::What::replace)
         items.push_back(instead->value);
       else if (instead)
-        note_removal(std::string(item_name(list.items[i])), *instead, list);
+        note_removal(std::string(item_name(list.items[i])), *instead, list, list.items[i]);
       else if (i < list.items.size())
         items.push_back(std::move(list.items[i]));
     }
@@ -249,7 +249,7 @@ class Changer {
         map.entries[change.at].value = change.value;
       } else if (change.what == Change::What::remove) {
         gone.push_back(map.entries[change.at].key);
-        note_removal(gone.back(), change, map);
+        note_removal(gone.back(), change, map, map.entries[change.at].value);
       } else if (map.find(change.key)) {
         error(change.where, "{} is inserted twice", quote(change.path));
       } else {
@@ -261,8 +261,9 @@ class Changer {
     });
   }
 
-  void note_removal(std::string name, const Change& change, const Value& from) {
-    removed_.push_back({std::move(name), change.where, from.where});
+  void note_removal(std::string name, const Change& change, const Value& from, const Value& what) {
+    removed_.push_back(
+        {std::move(name), change.where, from.where, listed(what.entries, &Value::Entry::key)});
   }
 
   Value& document_;
@@ -293,10 +294,12 @@ Diagnostics blame_removals(const Diagnostics& found, const std::vector<Removed>&
   Diagnostics result;
   std::vector<bool> said(removed.size());  // who is missed once is missed everywhere
   for (const Diagnostic& d : found.sorted()) {
+    const auto says = [&d](const std::string& name) {
+      return !name.empty() && d.message.find(quote(name)) != d.message.npos;
+    };
     const auto guilty = std::ranges::find_if(removed, [&](const Removed& one) {
       return !(d.where.file == one.where.file) &&
-             (d.where == one.from ||
-              (!one.name.empty() && d.message.find(quote(one.name)) != d.message.npos));
+             (d.where == one.from || says(one.name) || std::ranges::any_of(one.held, says));
     });
     if (guilty == removed.end()) {
       result.error(d.where, d.message);

@@ -18,9 +18,10 @@ namespace eyrie::scenario {
 
 /// Something that was taken out, for mistakes that follow from it.
 struct Removed {
-  std::string name;  ///< its key, or what it is called in its list
-  Location where;    ///< of the path that took it out
-  Location from;     ///< where the map or list stands
+  std::string name;                 ///< its key, or what it is called in its list
+  Location where;                   ///< of the path that took it out
+  Location from;                    ///< where the map or list stands
+  std::vector<std::string> held{};  ///< the keys of what it was
 };
 
 /// What is carried out before --set and is in no document afterwards.

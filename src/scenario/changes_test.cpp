@@ -275,19 +275,23 @@ TEST(Changes, AreLimitedInNumber) {
 }
 
 TEST(Changes, AreBlamedForWhatIsMissedLater) {
-  const std::vector<Removed> removed{{"wall", {"own.yaml", 3, 5}, {"base.yaml", 4, 3}},
-                                     {"", {"own.yaml", 4, 5}, {"base.yaml", 9, 9}}};
+  const std::vector<Removed> removed{
+      {"wall", {"own.yaml", 3, 5}, {"base.yaml", 4, 3}},
+      {"", {"own.yaml", 4, 5}, {"base.yaml", 9, 9}},
+      {"trees", {"own.yaml", 5, 5}, {"base.yaml", 1, 1}, {"egress"}}};
   Diagnostics found;
   found.error({"base.yaml", 7, 1}, "there is no tree 'wall'; did you mean 'well'?");
   found.error({"base.yaml", 8, 1}, "there is no tree 'wall'");
   found.error({"base.yaml", 9, 9}, "winner_takes_all needs at least one child");
   found.error({"base.yaml", 10, 1}, "something else");
   found.error({"own.yaml", 11, 1}, "there is no tree 'wall'");
+  found.error({"base.yaml", 12, 1}, "there is no tree 'egress'");
   EXPECT_EQ(
       blame_removals(found, removed).text(),
       "own.yaml:3:5: 'wall' cannot be removed: base.yaml:7:1: there is no tree 'wall'\n"
       "own.yaml:4:5: it cannot be removed: base.yaml:9:9: winner_takes_all needs at least one "
       "child\n"
+      "own.yaml:5:5: 'trees' cannot be removed: base.yaml:12:1: there is no tree 'egress'\n"
       "own.yaml:11:1: there is no tree 'wall'\n"
       "base.yaml:10:1: something else");
 }

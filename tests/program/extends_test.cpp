@@ -91,6 +91,8 @@ TEST(Extends, IsRefusedAtTheLineThatIsWrong) {
       said("extends: sweep\nremove: [red.flights.bogey.players.bogey1]\n"),
       "mine/x.yaml:2:10: 'bogey1' cannot be removed: eyrie:scenarios/sweep.yaml:35:16: flight "
       "'bogey' has no lead: none of its players is 'bogey1'\n");
+  EXPECT_TRUE(said("extends: merge\nremove: [trees]\n")
+                  .starts_with("mine/x.yaml:2:10: 'trees' cannot be removed: eyrie:scenarios/"));
   EXPECT_EQ(said("extends: sweep\nreplcae: {seed: 3}\n"),
             "mine/x.yaml:2:1: scenario has no parameter 'replcae'; did you mean 'replace'?\n");
 }

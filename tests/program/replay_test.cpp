@@ -54,6 +54,11 @@ TEST_F(Replay, SaysTheSame) {
   EXPECT_EQ(j["steps"], 3000);
   EXPECT_EQ(j["hash"], report["hash"]);
   EXPECT_EQ(run_program(folder, {"replay", "run/run.eyrie"}).code, 0) << "or the file itself";
+  std::filesystem::create_directory(folder / "runs");
+  std::filesystem::copy(folder / "run", folder / "runs/merge-1",
+                        std::filesystem::copy_options::recursive);
+  EXPECT_EQ(run_program(folder, {"replay", "merge-1"}).err,
+            "merge-1: there is no such file; did you mean 'runs/merge-1'?\n");
 }
 
 TEST_F(Replay, NeedsNothingButTheFile) {
