@@ -35,9 +35,9 @@ std::string plugin_problem(const scenario::PluginFile& plugin, const std::string
   return {};
 }
 
-/// Where the plug-ins of a run are, in its order: a file of that name among `given`, of several the
-/// one with its bytes, or else where the run file says, if that one may be opened. What is missing
-/// or another one is a problem. What is not of the run stays in `given`.
+/// Where the plug-ins of a run are, in its order: the file among `given` that has its bytes, or its
+/// name, or else where the run file says, if that one may be opened. What is missing or another one
+/// is a problem. What is not of the run stays in `given`.
 std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<std::string>& given,
                                       const scenario::PluginPermission& may_open,
                                       std::vector<std::string>& problems) {
@@ -47,8 +47,7 @@ std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<st
       return fs::path(file).filename() == fs::path(plugin.path).filename();
     };
     auto typed = std::ranges::find_if(given, [&](const std::string& file) {
-      return is_named(file) &&
-             scenario::hash_of(scenario::read_plugin_file(file).bytes) == plugin.hash;
+      return scenario::hash_of(scenario::read_plugin_file(file).bytes) == plugin.hash;
     });
     if (typed == given.end())
       typed = std::ranges::find_if(given, is_named);

@@ -120,9 +120,8 @@ double Statement::number(int column) const {
   if (is_null(column))
     return std::numeric_limits<double>::quiet_NaN();
   const double x = sqlite3_column_double(statement_.get(), column);
-  if (std::isinf(x))  // nobody here writes one
-    throw disk::Refused("the column {} holds an infinity: the file is damaged",
-                        quote(column_name(column)));
+  if (std::isinf(x))  // nobody here writes one, but a query may make one
+    throw disk::Refused("the result is infinite in the column {}", quote(column_name(column)));
   return x;
 }
 std::string Statement::text(int column) const {

@@ -155,6 +155,8 @@ TEST_F(Campaign, AnswersSqlAndIsChangedByNone) {
   EXPECT_EQ(asked("SELECT count(*) FROM replicates").out, "count(*)\n80\n");
   EXPECT_EQ(asked("SELECT x'1b5b410a', 7, 0.5, NULL, '=1' AS t").out,
             "x'1b5b410a',7,0.5,NULL,t\n\\x1b[A\\x0a,7,0.5,,'=1\n");
+  EXPECT_EQ(asked("SELECT 1e300*1e300 AS x").err,
+            "eyrie: the result is infinite in the column 'x'\n");
   EXPECT_EQ(run_program(folder, {"query", "nowhere", "SELECT 1"}).code, 2);
   EXPECT_EQ(asked("SELECT count(*) FROM losses").err,
             "eyrie: there is no table 'losses' yet; --decisions '10 s' adds it\n");

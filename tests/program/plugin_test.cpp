@@ -202,6 +202,10 @@ TEST_F(PluggedProgram, ReplaysOnlyWithTheVeryFileOfTheRun) {
                  ", which is not there; --plugin (in Python plugins=) says where it is now");
   const Ran moved = run_program(folder, {"replay", "run", "--plugin", "libgood.so"});
   EXPECT_EQ(moved.code, 0) << moved.err;
+  std::filesystem::copy(folder / "libgood.so", folder / "renamed.so");
+  const Ran renamed = run_program(folder, {"replay", "run", "--plugin", "renamed.so"});
+  EXPECT_EQ(renamed.code, 0) << renamed.err;
+  EXPECT_EQ(renamed.out, moved.out);
 
   std::ofstream(folder / "libgood.so", std::ios::binary | std::ios::app) << "x";
   expect({"--plugin", "libgood.so"},

@@ -151,6 +151,7 @@ TEST(TensorFile, RefusesWhatIsCutOrLies) {
                    R"("b":{"dtype":"F32","shape":[3],"data_offsets":[4,16]}})"),
             "t: tensor 'b' does not begin where the one before it ends");
   EXPECT_EQ(headed("[1]"), "t: the header is no JSON object");
+  EXPECT_TRUE(headed("{").starts_with("t:2:1: the header is not JSON: ")) << headed("{");
   EXPECT_EQ(headed(R"({"a":{"dtype":"F32","shape":[2]}})"),
             "t: tensor 'a' needs dtype, shape and data_offsets");
   EXPECT_EQ(headed(R"({"a":{"dtype":"F32","shape":[5],"data_offsets":[0,16]}})"),

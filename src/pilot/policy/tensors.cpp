@@ -109,8 +109,14 @@ std::optional<TensorFile> TensorFile::read(std::string bytes, FileName file,
                                          : "no file of tensors (.safetensors), or one that is cut");
   const auto header_size = static_cast<std::size_t>(length);
   const std::string_view data = all.substr(kLength + header_size);
+  Diagnostics wrong;
   const Value header =
-      parse_yaml(all.substr(kLength, header_size), file.text(), diagnostics);  // JSON is YAML
+      parse_yaml(all.substr(kLength, header_size), file.text(), wrong);  // JSON is YAML
+  constexpr std::string_view kNotYaml = "not YAML";
+  for (const auto& [where, message] : wrong.sorted())
+    diagnostics.error(where, message.starts_with(kNotYaml)
+                                 ? "the header is not JSON" + message.substr(kNotYaml.size())
+                                 : message);
   if (diagnostics.count() == before && !header.is_map())
     diagnostics.error({file}, "the header is no JSON object");
   for (const Value::Entry& entry : header.entries) {
