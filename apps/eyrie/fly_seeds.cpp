@@ -25,7 +25,7 @@ std::pair<std::uint64_t, std::uint64_t> range_of(const std::string& text) {
   const auto range =
       campaign::two_numbers(text.find("..") == text.npos ? "1.." + text : text, "..");
   if (!range || range->second < range->first)
-    refuse("--seeds: '{}' is no range of seeds such as 1..500", text);
+    refuse("--seeds: '{}' is no range of seeds such as 1..500, or 500 for the same", text);
   if (range->second - range->first >= kMost)
     refuse("--seeds: '{}' are more than {} seeds", text, kMost);
   return *range;

@@ -87,8 +87,9 @@ void add_fly(CLI::App& app, Chosen& chosen) {
   fly->add_option("scenario", o.scenario, "a file, or the name of one in scenarios/")
       ->default_str("sweep");
   add_variation(fly, o);
-  auto* seeds = fly->add_option("--seeds", o.seeds,
-                                "fly each of them, 1..500, on all cores, and say how they ended");
+  auto* seeds = fly->add_option(
+      "--seeds", o.seeds,
+      "fly each of them, 1..500 or 500 for the same, on all cores, and say how they ended");
   add_plugins(fly, o.plugins, kPluginHelp);
   add_includes(fly, o.includes);
   auto* out =

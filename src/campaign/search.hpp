@@ -24,7 +24,7 @@ struct Search {
         param("goal", &S::goal, "what is better").required(),
         param("generations", &S::generations, range(1, 100'000), "how many are flown"),
         param("population", &S::population, range(4, 10'000),
-              "candidates of a generation; null: 4 + 3 ln(factors)"),
+              "candidates of a generation; without it 4 + 3 ln(factors)"),
         param("proof", &S::proof, range(2, 1'000'000), "flights that show whether it is better"),
         param("seed", &S::seed, "of the draws of candidates")};
   }

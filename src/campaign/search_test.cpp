@@ -52,6 +52,8 @@ TEST(Search, SaysWhatItsFileSays) {
       << "reflected";
   EXPECT_EQ(search_mistake(search_with("measure: shot", "measure: shoot")),
             "s.yaml:8:21: optimize: there is no measure 'shoot'; did you mean 'shot'?");
+  EXPECT_EQ(search_mistake(search_with("population: 4", "population: 2")),
+            "s.yaml:8:71: population: 2 is outside [4, 10000]");
   EXPECT_EQ(search_mistake(search_with("goal: minimize, ", "")),
             "s.yaml:8:11: optimize needs the parameter 'goal'");
   EXPECT_EQ(search_mistake(search_with("replicates", "stop: {}\nreplicates")),

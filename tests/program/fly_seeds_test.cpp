@@ -82,8 +82,9 @@ TEST(FlySeeds, DrawsItsProgressWithinALineOfTheTerminal) {
 TEST(FlySeeds, RefusesWhatIsNoRangeAndWhatIsForOneFlight) {
   const TempFolder folder;
   for (const std::string range : {"5..1", "1..", "..5", "a", "1...5", "1..5x", "0", "-3"})
-    EXPECT_EQ(seeds(folder, range).err,
-              "--seeds: '" + range + "' is no range of seeds such as 1..500\n");
+    EXPECT_EQ(
+        seeds(folder, range).err,
+        "--seeds: '" + range + "' is no range of seeds such as 1..500, or 500 for the same\n");
   EXPECT_EQ(seeds(folder, "1..1000001").err, "--seeds: '1..1000001' are more than 1000000 seeds\n");
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--out", "x"},
                                                {"--real-time"},
