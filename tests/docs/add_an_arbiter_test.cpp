@@ -15,6 +15,7 @@ class RunnerUp final : public Arbiter<State, Action> {
  public:
   static constexpr std::string_view type_name = "runner_up";
   static constexpr std::string_view help = "the proposal with the second highest vote";
+  static constexpr std::string_view decided_by = "second place";
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     Status best_status = Status::failure, status = Status::failure;
