@@ -7,6 +7,10 @@
 
 namespace eyrie::model {
 
+/// m/s^2, 9 g: gates leave room for a target that turns like that between two looks, and follow
+/// nothing that leaves faster.
+inline constexpr double kTurnInGate = 88;
+
 /// m: all radars here work at 10 GHz.
 inline constexpr double kRadarWavelength = 0.03;
 

@@ -247,6 +247,12 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            of_missile([](const State& s, const model::InboundMissile& m) {
              return time_to_go(s, m).value_or(kNoValue);
            })),
+    flag("missile_heard",
+         "the seeker of the missile that is here soonest has been heard: a radar's",
+         [](const State& s) -> double {
+           const auto* const soonest = inbound(s, std::numeric_limits<double>::infinity());
+           return soonest && soonest->emitter;
+         }),
     flag("spiked", "a radar tracks this aircraft",
          [](const State& s) -> double { return spike(s) != nullptr; }),
     angle("spike_right", "that radar off the own heading, in (-180°, 180°], positive right",

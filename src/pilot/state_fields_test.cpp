@@ -175,6 +175,10 @@ TEST(StateFields, TellOfMissilesAndRadarsOnTheirSides) {
   EXPECT_EQ(f.at("missiles_inbound"), 1);
   EXPECT_NEAR(f.at("missile_right"), -kPi / 2, 1e-9);
   EXPECT_NEAR(f.at("missile_time"), 7e3 / model::sensor::kMissileClosing, 1e-9);
+  EXPECT_EQ(f.at("missile_heard"), 0) << "it was seen";
+  desk.threats.missiles[0].emitter = PlayerId{7};
+  desk.threats.missiles[0].arrival = desk.time + 5;
+  EXPECT_EQ(fields_of(desk).at("missile_heard"), 1);
   EXPECT_EQ(f.at("spiked"), 1);
   EXPECT_NEAR(f.at("spike_right"), kPi / 2, 1e-9);
 }

@@ -35,9 +35,9 @@ TEST(Architectures, FightAllOfThem) {
 }
 
 // votes that do not change rank the behaviors once and for all, as a selector does; but that asks
-// nobody behind the chosen one, who then forgets what he avoided (one of eight flights)
+// nobody behind the chosen one, who then forgets what he avoided (one of ten flights)
 TEST(Architectures, WinnerTakesAllWithVotesInOrderIsABehaviorTree) {
-  const Flown arbiter = flown("winner_takes_all", 3), tree = flown("behavior_tree", 3);
+  const Flown arbiter = flown("winner_takes_all", 4), tree = flown("behavior_tree", 4);
   EXPECT_EQ(arbiter.blue.losses, tree.blue.losses);
   EXPECT_EQ(arbiter.blue.shots, tree.blue.shots);
   EXPECT_EQ(arbiter.red.shots, tree.red.shots);

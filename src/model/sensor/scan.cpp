@@ -155,9 +155,6 @@ void acquire(const Scene& scene, Self& self, const Looking& looking, const Gimba
   self.radar.pulled = 0;
 }
 
-/// m/s^2, 9 g: the gates of a lock leave room for a target that turns like that between two looks.
-constexpr double kTurnInGate = 88;
-
 /// What the gates of a lock rest on in this look: the echo of row `j`, or, if that is stronger or
 /// alone in them, the false one of its jammer. The gates stay where they are while they are empty.
 std::optional<double> in_gates(const Scene& scene, Self& self, const Looking& looking,

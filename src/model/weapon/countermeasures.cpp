@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/countermeasures.hpp"
 
+#include "model/jamming.hpp"
+
 namespace eyrie::model::weapon {
 Decoys loaded(const Dispenser& dispenser) {
   Decoys decoys;
@@ -20,7 +22,8 @@ std::optional<DecoyNow> decoy_at(const Dispenser& d, const Decoy& decoy, const V
   const double left = math::exp(-age / slowing);
   const Vec3 through_air = decoy.velocity - wind;
   DecoyNow now{.position = decoy.position + age * wind + slowing * (1 - left) * through_air,
-               .velocity = wind + left * through_air};
+               .velocity = wind + left * through_air,
+               .acceleration = -left / slowing * through_air};
   if (chaff) {
     now.signature = d.chaff_section * (1 - math::exp(-age / d.chaff_bloom));
     return now;
@@ -28,6 +31,7 @@ std::optional<DecoyNow> decoy_at(const Dispenser& d, const Decoy& decoy, const V
   // the same drag against its weight: it ends at a terminal speed of g times the time constant
   now.position += kGravity * slowing * (age - slowing * (1 - left)) * down;
   now.velocity += kGravity * slowing * (1 - left) * down;
+  now.acceleration += kGravity * left * down;
   now.signature = d.flare_intensity * (1 - math::exp(-age / d.flare_rise));
   return now;
 }
@@ -58,7 +62,8 @@ Dispense throw_out(const Dispenser& dispenser, Dispense wanted, const Vec3& posi
 bool merged(const SeekerType& seeker, const Apart& apart) {
   if (seeker.kind == SeekerKind::radar)
     return std::fabs(dot(apart.offset, apart.line)) <= seeker.range_gate / 2 &&
-           std::fabs(dot(apart.slip, apart.line)) <= seeker.doppler_gate / 2;
+           std::fabs(dot(apart.slip, apart.line)) <= seeker.doppler_gate / 2 &&
+           std::fabs(dot(apart.acceleration, apart.line)) <= kTurnInGate;
   const Vec3 aside = apart.offset - dot(apart.offset, apart.line) * apart.line;
   const double edge = seeker.field_of_view / 2 * apart.range;
   return norm2(aside) <= edge * edge;

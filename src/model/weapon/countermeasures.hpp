@@ -102,6 +102,7 @@ struct Decoys {
 struct DecoyNow {
   Vec3 position{};
   Vec3 velocity{};
+  Vec3 acceleration{};  ///< m/s^2
   double signature = 0;
 };
 [[nodiscard]] std::optional<DecoyNow> decoy_at(const Dispenser& dispenser, const Decoy& decoy,
@@ -113,13 +114,15 @@ Dispense throw_out(const Dispenser& dispenser, Dispense wanted, const Vec3& posi
                    const Vec3& velocity, double time, std::uint64_t step, Decoys& decoys);
 
 /// Whether a decoy and its aircraft are one echo, or one spot, to a seeker that rests on the
-/// aircraft. A radar: in one range gate and one Doppler gate, which for chaff that stands in the
-/// air means an aircraft on the beam. An infrared seeker: within its field of view.
+/// aircraft. A radar: in one range gate and one Doppler gate, and no faster on the way out of it
+/// than gates are moved (kTurnInGate), which for chaff means an aircraft on the beam. An infrared
+/// seeker: within its field of view.
 struct Apart {
-  Vec3 line{};       ///< unit vector from the seeker to the aircraft
-  double range = 0;  ///< m, to the aircraft
-  Vec3 offset{};     ///< m, from the aircraft to the decoy
-  Vec3 slip{};       ///< m/s, velocity of the decoy less that of the aircraft
+  Vec3 line{};          ///< unit vector from the seeker to the aircraft
+  double range = 0;     ///< m, to the aircraft
+  Vec3 offset{};        ///< m, from the aircraft to the decoy
+  Vec3 slip{};          ///< m/s, velocity of the decoy less that of the aircraft
+  Vec3 acceleration{};  ///< m/s^2, of the decoy
 };
 [[nodiscard]] bool merged(const SeekerType& seeker, const Apart& apart);
 

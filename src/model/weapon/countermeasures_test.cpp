@@ -99,6 +99,25 @@ TEST(Merged, IsChaffWithAnAircraftOnTheBeamOnly) {
   EXPECT_FALSE(merged(seeker, {.line = {1, 0, 0}, .range = 8000, .offset = {76, 0, 0}}));
 }
 
+/// What flies from a seeker, or at it, gains nothing by chaff, not even in the moment in which a
+/// cloud has still its speed: it loses that faster than a gate follows.
+TEST(Merged, IsChaffNeverWithWhoFliesAlongTheLine) {
+  const SeekerType seeker{.range_gate = 150, .doppler_gate = 30};
+  const Dispenser d;
+  for (double speed = 45; speed < 400; speed += 5)
+    for (double age = 0.02; age < d.chaff_life; age += 0.02) {
+      const Vec3 v{speed, 0, 0};
+      const Decoy decoy{.velocity = v, .kind = Dispense::chaff};
+      const DecoyNow now = *decoy_at(d, decoy, kDownward, {}, age);
+      EXPECT_FALSE(merged(seeker, {.line = {1, 0, 0},
+                                   .range = 8000,
+                                   .offset = now.position - age * v,
+                                   .slip = now.velocity - v,
+                                   .acceleration = now.acceleration}))
+          << speed << " m/s after " << age << " s";
+    }
+}
+
 TEST(Merged, IsAFlareInTheFieldOfView) {
   const SeekerType seeker{.kind = SeekerKind::infrared, .field_of_view = 0.04};
   const auto at = [&](double aside) {
@@ -195,15 +214,19 @@ struct Shots {
 };
 
 TEST(Chaff, SavesWhoFliesOnTheBeamAndNobodyElse) {
-  Shots beam, beam_chaff{.throws = true}, hot{.heading = kPi},
-      hot_chaff{.heading = kPi, .throws = true};
-  for (Shots* s : {&beam, &beam_chaff, &hot, &hot_chaff})
+  // the missile leads by 15 degrees
+  const double abeam = radians(105), off = radians(115);
+  Shots beam{.heading = abeam}, beam_chaff{.heading = abeam, .throws = true}, hot{.heading = kPi},
+      hot_chaff{.heading = kPi, .throws = true}, off_beam{.heading = off},
+      off_beam_chaff{.heading = off, .throws = true};
+  for (Shots* s : {&beam, &beam_chaff, &hot, &hot_chaff, &off_beam, &off_beam_chaff})
     s->fly();
   EXPECT_GT(beam.kills, 32);
   EXPECT_LT(beam_chaff.kills, beam.kills / 2);
   EXPECT_GT(beam_chaff.fell, 40);
   EXPECT_EQ(hot_chaff.fell, 0) << "its own speed tells it from a cloud that stands in the air";
   EXPECT_EQ(hot_chaff.kills, hot.kills);
+  EXPECT_EQ(off_beam_chaff.kills, off_beam.kills);
 }
 
 TEST(TowedDecoy, IsHitInTheAircraftsPlaceWhereItIsStronger) {

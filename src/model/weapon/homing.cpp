@@ -288,7 +288,8 @@ DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double ti
           !merged(seeker, {.line = line,
                            .range = range,
                            .offset = now->position - target.position,
-                           .slip = now->velocity - target.velocity}) ||
+                           .slip = now->velocity - target.velocity,
+                           .acceleration = now->acceleration}) ||
           !visible(seeker, view, los_of(*now), now->velocity, now->signature))
         continue;
       Draw fate(seed, self, Stream::decoy, thrown[i].step, state.seen.value);
