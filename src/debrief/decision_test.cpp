@@ -187,7 +187,8 @@ TEST(Decision, SaysHowAFieldWasWon) {
   won.rivals = {{.node = 3, .against = 10, .vote = 50}};
   EXPECT_EQ(reason(won), "10 against 50, and votes did not decide");
   won.rivals = {{.node = 1, .against = 50, .vote = 50}};
-  EXPECT_EQ(reason(won), "50 against 50, and votes did not decide") << "it stands before the winner";
+  EXPECT_EQ(reason(won), "50 against 50, and votes did not decide")
+      << "it stands before the winner";
   won.rivals[0].set_aside = "refused: climb is out of bounds";
   EXPECT_EQ(reason(won), "50 against 50, refused: climb is out of bounds");
   won.rivals[0].set_aside.clear();

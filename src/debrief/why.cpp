@@ -88,7 +88,8 @@ std::string reason(const Won& won) {
     return fmt::format("blended of {}", std::ranges::count_if(won.rivals, &Rival::blended));
   if (!next.came_up)
     return "nobody else's came up to it";
-  const bool beaten = next.against > next.vote || (next.against == next.vote && won.winner < next.node);
+  const bool beaten =
+      next.against > next.vote || (next.against == next.vote && won.winner < next.node);
   if (!next.decided_by.empty() || !next.set_aside.empty() || !beaten)
     return fmt::format("{:g} against {:g}{}", next.against, next.vote,
                        decided(next.decided_by, next.set_aside));

@@ -30,9 +30,9 @@ struct Answer {
   float vote = 0;
   std::optional<float> given = {};  ///< the vote that its arbiter put in the place of its own
   std::uint16_t halts = 0;          ///< how often it was made to forget
-  std::string why;            ///< it failed, or what its vote followed: "range 0.53"; may be ""
+  std::string why;             ///< it failed, or what its vote followed: "range 0.53"; may be ""
   std::string set_aside = {};  ///< why the node above did not take it: "refused: ..."; may be ""
-  std::vector<Value> action;  ///< the fields that it set
+  std::vector<Value> action;   ///< the fields that it set
 
   /// The vote by which it was compared.
   [[nodiscard]] float counted() const { return given.value_or(vote); }
@@ -48,7 +48,7 @@ struct Rival {
   std::string decided_by;  ///< what decided there; empty: these votes
   /// Its branch brought the field up to there, neither lost it below nor abstained.
   bool came_up = true;
-  bool blended = false;  ///< the winner made its value of this one and others
+  bool blended = false;        ///< the winner made its value of this one and others
   std::string set_aside = {};  ///< why its branch was not compared at all; empty: it was
 };
 

@@ -297,7 +297,8 @@ class Parser {
     const Parsed parsed = parse_quantity(other.text, f.unit.dimension);
     if (!parsed)
       return none(other.at, "{}: {}", field.text, parsed.error);
-    if (const std::string problem = never(f, field.text, parsed.value, other.text); !problem.empty())
+    if (const std::string problem = never(f, field.text, parsed.value, other.text);
+        !problem.empty())
       return none(other.at, "{}", problem);
     return Operand{.field = Operand::kNumber, .number = parsed.value};
   }
