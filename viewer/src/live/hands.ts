@@ -84,11 +84,10 @@ export function pulled(wanted: Wanted, [right, up, faster]: readonly [number, nu
   return wanted.load_factor === null && wanted.climb !== null ? { ...wanted, speed } : { ...wanted, speed, ...flown, load_factor: null };
 }
 
-/** The target after this one, the nearest first and again after the last: who is hostile, or where nobody is, who may be; 0: nobody. */
+/** The target after this one, the nearest first and again after the last, of those known as hostile: others may not be attacked; 0: nobody. */
 export function next_target(tracks: readonly TrackSeen[], from: { east: number; north: number }, now: number): number {
   const far = ({ place }: TrackSeen): number => Math.hypot(place.east - from.east, place.north - from.north);
-  const of = (wanted: TrackSeen['identity']): TrackSeen[] => tracks.filter(({ identity }) => identity === wanted);
-  const ids = (of('hostile').length ? of('hostile') : of('unknown')).sort((a, b) => far(a) - far(b)).map(({ id }) => id);
+  const ids = tracks.filter(({ identity }) => identity === 'hostile').sort((a, b) => far(a) - far(b)).map(({ id }) => id);
   return ids[ids.indexOf(now) + 1] ?? ids[0] ?? 0;
 }
 
@@ -189,7 +188,11 @@ export class Hands {
       const level = { climb: null, load_factor: null, altitude: this.player!.motion.up.at(-1)! };
       change({ ...level, pointer: act === 'pointer' && !wanted.pointer, stick: act === 'stick' && !wanted.stick });
     }
-    else if (act === 'next') change({ target: next_target(this.tracks(wanted.player), place_now(this.player!), wanted.target) });
+    else if (act === 'next') {
+      const target = next_target(this.tracks(wanted.player), place_now(this.player!), wanted.target);
+      if (!target) this.live.say('no track is known as hostile yet');
+      change({ target });
+    }
   }
   toggle_help(): void {
     this.help.set(!this.help.get());

@@ -42,7 +42,7 @@ export class Live {
   /** Where the world here is not the one of the program, and the hashes of both. */
   readonly disagreement = new Cell<{ step: number; here: string; there: string } | null>(null);
   readonly checked = new Cell(-1);  // The last step whose hash was compared.
-  readonly said = new Cell('');  // What the program refused, for some seconds.
+  readonly said = new Cell('');  // What was refused, and why, for some seconds.
   readonly pointing = new Cell(false);  // A click in the air picture is the point to fly to.
   readonly following = new Cell(true);  // The page shows the present.
   page: Page | null = null;
@@ -96,8 +96,11 @@ export class Live {
     this.tell();
   }
   refused(words: string): void {
-    this.said.set(words);
     this.hands.refused(words);
+    this.say(words);
+  }
+  say(words: string): void {
+    this.said.set(words);
     clearTimeout(this.forget);
     this.forget = setTimeout(() => this.said.set(''), kSaid);
   }
