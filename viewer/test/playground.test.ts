@@ -221,9 +221,14 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       // and forward to what was closed nowhere: what was edited since stays
       await type_behind(page, 'fuel: 4000 kg', '  # newer');
       await page.waitForFunction(() => history.state === 'editor');
-      await page.evaluate(() => history.forward());
-      await page.waitForFunction(() => history.state === 'debrief');
-      await page.waitForFunction(() => history.state === 'editor');
+      await page.evaluate(() => new Promise<void>((done) => {
+        addEventListener('popstate', function came({ state }) {
+          if (state !== 'editor') return;
+          removeEventListener('popstate', came);
+          done();
+        });
+        history.forward();
+      }));
       assert.ok((await text_now(page)).includes('4000 kg  # newer'));
       // before there is anything of it, too
       await page.click('.does .fly');

@@ -242,9 +242,10 @@ function Playground({ files, schema, module, host, view }: Texts & { module: Web
     listen(window, {
       hashchange: () => {
         if (host.hidden) address.pass_over();
-        else if (history.state === 'debrief') history.back();  // forward again to what was closed: what is edited stays
-        else void restore();
+        else if (history.state !== 'debrief') void restore();
       },
+      // forward again to what was closed: what is edited stays
+      popstate: ({ state }) => state === 'debrief' && !host.hidden && history.back(),
       beforeunload: (event) => {
         if (!address.holds(now.current.project)) event.preventDefault();
       },
