@@ -36,7 +36,7 @@ measures:
   shots: {what: shots, who: blue}
   fuel: {what: fuel_left, who: blue}
   exchange: {what: exchange_ratio, who: blue}
-  miss: {what: event, event: detonation, take: first, value: miss}
+  miss: {what: event, event: detonation, who: red, take: first, value: miss}
 `);
   eyrie('campaign', 'c.yaml', '--out', 'out');
   eyrie('report', 'out', '--ways', '0');
