@@ -275,9 +275,15 @@ class Parser {
     ~Delete() { yaml_event_delete(&event); }
   };
 
-  /// Bytes that are no text have an offset only.
+  /// Where it was noticed, but a key without a colon where it stands, which is a line before. Bytes
+  /// that are no text have an offset only.
+  [[nodiscard]] const yaml_mark_t& noticed() const {
+    const bool is_key =
+        parser_.context && std::string_view(parser_.context) == "while scanning a simple key";
+    return is_key ? parser_.context_mark : parser_.problem_mark;
+  }
   [[nodiscard]] Location place(const Builder& builder) const {
-    const Location mark = builder.place(parser_.problem_mark);
+    const Location mark = builder.place(noticed());
     return parser_.error == YAML_READER_ERROR ? place_of(text_, parser_.problem_offset, mark.file)
                                               : mark;
   }
@@ -289,7 +295,7 @@ class Parser {
     std::string context;
     if (parser_.context) {
       context = parser_.context;
-      if (parser_.context_mark.line != parser_.problem_mark.line)
+      if (parser_.context_mark.line != noticed().line)
         context += fmt::format(" from line {}", parser_.context_mark.line + 1);
       context += ": ";
     }

@@ -127,6 +127,12 @@ TEST(Yaml, PointsAtTheLineOfASyntaxError) {
   EXPECT_NE(said.find("not YAML: "), std::string::npos) << said;
 }
 
+TEST(Yaml, PointsAtAKeyWithoutAColon) {
+  const std::string why = ": not YAML: while scanning a simple key: could not find expected ':'";
+  EXPECT_EQ(mistakes("a: 1\nbee\nc: 2\n"), "a.yaml:2:1" + why);
+  EXPECT_EQ(mistakes("a: 1\nbee"), "a.yaml:2:1" + why) << "there is no line 3";
+}
+
 TEST(Yaml, RefusesTagsThatMeanNothing) {
   const auto said = [](std::string_view text) {
     Diagnostics d;
